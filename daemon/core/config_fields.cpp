@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/core/config_fields.h"
+
+namespace hyrax {
+namespace {
+
+constexpr std::array<std::string_view, 6> log_levels{
+    "trace", "debug", "info", "warn", "error", "off"
+};
+
+// Far beyond any desktop, and small enough that pixels still fit an int.
+constexpr double most_px = 1e6;
+constexpr double most_speed = 1e7;
+
+constexpr std::array config_keys{
+    Field<Config>{
+        "/$schema",
+        [](Config&) -> Slot { return Ignored{}; },
+        {},
+        "",
+        "The schema by which an editor explains and completes this file."
+    },
+    Field<Config>{
+        "/physics/gravity",
+        [](Config& c) -> Slot { return &c.engine.physics.gravity; },
+        {-1e9, 1e9},
+        "px/s^2",
+        "Downward acceleration. Negative values make pets fall upwards."
+    },
+    Field<Config>{
+        "/physics/restitution",
+        [](Config& c) -> Slot { return &c.engine.physics.restitution; },
+        {0, 1},
+        "",
+        "Share of its speed that a pet keeps when it bounces: 0 does not bounce, 1 loses nothing."
+    },
+    Field<Config>{
+        "/physics/air_drag",
+        [](Config& c) -> Slot { return &c.engine.physics.air_drag; },
+        {0, 1},
+        "",
+        "Share of its velocity that a pet keeps in each frame: 1 is a vacuum."
+    },
+    Field<Config>{
+        "/physics/ground_friction",
+        [](Config& c) -> Slot { return &c.engine.physics.ground_friction; },
+        {0, 1},
+        "",
+        "Share of its sideways velocity that a pet keeps in each frame on the ground: 1 is ice."
+    },
+    Field<Config>{
+        "/physics/rest_threshold",
+        [](Config& c) -> Slot { return &c.engine.physics.rest_threshold; },
+        {0, 1e6},
+        "px/s",
+        "A pet that would bounce up slower than this stays on the ground."
+    },
+    Field<Config>{
+        "/pets/start",
+        [](Config& c) -> Slot { return &c.start_pets; },
+        {0, 1000},
+        "",
+        "The pets that appear when the program starts."
+    },
+    Field<Config>{
+        "/pets/max",
+        [](Config& c) -> Slot { return &c.engine.max_pets; },
+        {1, 10000},
+        "pets",
+        "No more pets than this at a time, whoever asks for them."
+    },
+    Field<Config>{
+        "/pets/max_speed",
+        [](Config& c) -> Slot { return &c.engine.max_speed; },
+        {1, most_speed},
+        "px/s",
+        "Scripts and commands set no pet faster than this."
+    },
+    Field<Config>{
+        "/pets/max_throw_speed",
+        [](Config& c) -> Slot { return &c.max_throw_speed; },
+        {0, most_speed},
+        "px/s",
+        "The mouse throws no pet faster than this."
+    },
+    Field<Config>{
+        "/pets/drowsy_after",
+        [](Config& c) -> Slot { return &c.drowsy_after; },
+        {0, 86400},
+        "s",
+        "A pet that has not moved for this time lies down."
+    },
+    Field<Config>{
+        "/overlay/fps",
+        [](Config& c) -> Slot { return &c.fps; },
+        {1, 1000},
+        "frames/s",
+        "Frames drawn while a pet moves. air_drag and ground_friction act once a frame."
+    },
+    Field<Config>{
+        "/overlay/floor",
+        [](Config& c) -> Slot { return &c.floor; },
+        {},
+        "",
+        "What pets stand on: the top of the taskbar (work_area) or the edge of the screen "
+        "(screen).",
+        floor_names
+    },
+    Field<Config>{
+        "/scripts/run",
+        [](Config& c) -> Slot { return &c.scripts; },
+        {0, 1000},
+        "",
+        "Scripts to run at the start: files in the scripts folder; * and ? match any part of a "
+        "name."
+    },
+    Field<Config>{
+        "/log/level",
+        [](Config& c) -> Slot { return &c.log_level; },
+        {},
+        "",
+        "How much the log tells, from everything (trace) to nothing (off).",
+        log_levels
+    },
+};
+
+constexpr std::array start_keys{
+    Field<StartItem>{
+        "/kind",
+        [](StartItem& s) -> Slot { return &s.pets.kind; },
+        {},
+        "",
+        "Which pet: the name of a folder of pictures in sprites."
+    },
+    Field<StartItem>{
+        "/count",
+        [](StartItem& s) -> Slot { return &s.pets.count; },
+        {0, 1000},
+        "pets",
+        "How many of them."
+    },
+    Field<StartItem>{
+        "/x",
+        [](StartItem& s) -> Slot { return &s.x; },
+        {-most_px, most_px},
+        "px",
+        "Left edge, from the left edge of the main screen. Without x and y: somewhere at the top."
+    },
+    Field<StartItem>{
+        "/y",
+        [](StartItem& s) -> Slot { return &s.y; },
+        {-most_px, most_px},
+        "px",
+        "Top edge, downwards from the top edge of the main screen. Only together with x."
+    },
+    Field<StartItem>{
+        "/vx",
+        [](StartItem& s) -> Slot { return &s.pets.velocity.x; },
+        {-most_speed, most_speed},
+        "px/s",
+        "Velocity to the right."
+    },
+    Field<StartItem>{
+        "/vy",
+        [](StartItem& s) -> Slot { return &s.pets.velocity.y; },
+        {-most_speed, most_speed},
+        "px/s",
+        "Velocity downwards; negative values throw the pet up."
+    },
+};
+
+}  // namespace
+
+std::span<const Field<Config>> config_table() {
+    return config_keys;
+}
+
+std::span<const Field<StartItem>> start_table() {
+    return start_keys;
+}
+
+}  // namespace hyrax

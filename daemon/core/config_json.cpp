@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+// Reads config.json by the table of its keys.
+#include "daemon/core/checked_json.h"
+#include "daemon/core/config.h"
+#include "daemon/core/config_fields.h"
+#include "daemon/core/files.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <variant>
+
+namespace hyrax {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t max_file_bytes = 1U << 20U;
+
+template <typename Target>
+void read_members(
+    const JsonValue& object,
+    const std::string& prefix,
+    std::span<const Field<Target>> fields,
+    Target& target
+);
+
+std::optional<StartPets> read_start_item(const JsonValue& value) {
+    StartItem item;
+    read_members<StartItem>(value, "", start_table(), item);
+    const std::optional<JsonValue> x = value.member("x");
+    const std::optional<JsonValue> y = value.member("y");
+    if (x.has_value() != y.has_value()) {
+        (x ? x : y)->error_at_key("x and y are only allowed together");
+    }
+    if (item.x && item.y) {
+        item.pets.at = Vec2{*item.x, *item.y};
+    }
+    return item.pets;
+}
+
+// A value that does not pass leaves the slot as it was, and an error.
+template <typename Info>
+struct SlotReader {
+    const JsonValue& value;
+    const Info& field;
+
+    template <typename T>
+    static void assign(T& slot, const auto& read) {
+        if (read) {
+            slot = static_cast<T>(*read);
+        }
+    }
+
+    void operator()(Ignored) const {}
+    void operator()(double* slot) const {
+        assign(*slot, value.number(field.range.low, field.range.high));
+    }
+    void operator()(std::optional<double>* slot) const {
+        *slot = value.number(field.range.low, field.range.high);
+    }
+    void operator()(int* slot) const { assign(*slot, whole()); }
+    void operator()(std::size_t* slot) const { assign(*slot, whole()); }
+    void operator()(std::string* slot) const {
+        assign(*slot, field.choices.empty() ? value.name() : value.choice(field.choices));
+    }
+    void operator()(FloorEdge* slot) const {
+        if (const std::optional<std::string> name = value.choice(field.choices)) {
+            *slot = *name == floor_names[0] ? FloorEdge::work_area : FloorEdge::screen;
+        }
+    }
+    void operator()(std::vector<std::string>* slot) const {
+        fill(*slot, [](const JsonValue& item) { return item.path_pattern(); });
+    }
+    void operator()(std::vector<StartPets>* slot) const { fill(*slot, read_start_item); }
+
+private:
+    std::optional<int> whole() const {
+        return value.whole_number(
+            static_cast<int>(field.range.low), static_cast<int>(field.range.high)
+        );
+    }
+
+    template <typename T>
+    void fill(std::vector<T>& slot, auto read) const {
+        const auto items = value.items(
+            static_cast<std::size_t>(field.range.low), static_cast<std::size_t>(field.range.high)
+        );
+        slot.clear();
+        for (const JsonValue& item : items.value_or(std::vector<JsonValue>{})) {
+            if (std::optional<T> each = read(item)) {
+                slot.push_back(std::move(*each));
+            }
+        }
+    }
+};
+
+// The keys right below a place in the table.
+template <typename Target>
+std::vector<std::string_view> keys_below(
+    std::string_view prefix, std::span<const Field<Target>> fields
+) {
+    std::vector<std::string_view> keys;
+    for (const Field<Target>& field : fields) {
+        std::string_view path = field.path;
+        if (path.starts_with(prefix) && path.substr(prefix.size()).starts_with('/')) {
+            path.remove_prefix(prefix.size() + 1);
+            keys.push_back(path.substr(0, path.find('/')));
+        }
+    }
+    return keys;
+}
+
+template <typename Target>
+void read_members(
+    const JsonValue& object,
+    const std::string& prefix,
+    std::span<const Field<Target>> fields,
+    Target& target
+) {
+    if (!object.is_object()) {
+        return;
+    }
+    const std::vector<std::string_view> known = keys_below(prefix, fields);
+    for (const JsonValue& member : object.children()) {
+        const std::string& key = member.located().key;
+        if (std::ranges::count(known, key) == 0) {
+            member.warn_at_key(member.unknown_key(known));
+            continue;
+        }
+        const std::string path = prefix + "/" + key;
+        const auto field = std::ranges::find(fields, path, &Field<Target>::path);
+        if (field == fields.end()) {
+            read_members(member, path, fields, target);
+        } else {
+            std::visit(SlotReader<Field<Target>>{member, *field}, field->slot(target));
+        }
+    }
+}
+
+struct SlotType {
+    std::string_view operator()(Ignored) const { return "string"; }
+    std::string_view operator()(const double*) const { return "number"; }
+    std::string_view operator()(const std::optional<double>*) const { return "number"; }
+    std::string_view operator()(const int*) const { return "integer"; }
+    std::string_view operator()(const std::size_t*) const { return "integer"; }
+    std::string_view operator()(const std::string*) const { return "string"; }
+    std::string_view operator()(const FloorEdge*) const { return "string"; }
+    std::string_view operator()(const std::vector<std::string>*) const { return "array"; }
+    std::string_view operator()(const std::vector<StartPets>*) const { return "array"; }
+};
+
+struct SlotDefault {
+    std::string operator()(Ignored) const { return {}; }
+    std::string operator()(const std::optional<double>*) const { return {}; }
+    std::string operator()(const FloorEdge* slot) const {
+        return json(floor_names[static_cast<std::size_t>(*slot)]).dump();
+    }
+    std::string operator()(const std::vector<StartPets>* slot) const {
+        json list = json::array();
+        for (const StartPets& pets : *slot) {
+            list.push_back({{"kind", pets.kind}, {"count", pets.count}});
+        }
+        return list.dump();
+    }
+    std::string operator()(const auto* slot) const { return json(*slot).dump(); }
+};
+
+template <typename Target>
+void describe(
+    std::string_view prefix, std::span<const Field<Target>> fields, std::vector<ConfigField>& list
+) {
+    Target defaults;
+    for (const Field<Target>& field : fields) {
+        const Slot slot = field.slot(defaults);
+        list.push_back(
+            {.path = std::string(prefix) + std::string(field.path),
+             .type = std::string(std::visit(SlotType{}, slot)),
+             .low = field.range.low,
+             .high = field.range.high,
+             .choices = {field.choices.begin(), field.choices.end()},
+             .default_value = std::visit(SlotDefault{}, slot),
+             .unit = std::string(field.unit),
+             .description = std::string(field.description)}
+        );
+    }
+}
+
+}  // namespace
+
+std::vector<ConfigField> config_fields() {
+    std::vector<ConfigField> list;
+    describe<Config>("", config_table(), list);
+    describe<StartItem>("/pets/start/*", start_table(), list);
+    return list;
+}
+
+Result<LoadedConfig> parse_config(std::string_view text, std::string_view file) {
+    const Result<LocatedJson> root = parse_located_json(text, file);
+    if (!root) {
+        return std::unexpected(root.error());
+    }
+    JsonProblems problems{std::string(file)};
+    LoadedConfig loaded;
+    read_members<Config>(JsonValue(*root, "", problems), "", config_table(), loaded.config);
+    if (problems.has_errors()) {
+        return std::unexpected(problems.error());
+    }
+    loaded.warnings = problems.warnings();
+    return loaded;
+}
+
+Result<LoadedConfig> load_config(const std::filesystem::path& path) {
+    const Result<std::string> text = read_text_file(path, max_file_bytes);
+    if (!text) {
+        return std::unexpected(text.error());
+    }
+    return parse_config(*text, utf8_from_path(path));
+}
+
+}  // namespace hyrax

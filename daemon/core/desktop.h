@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// The seam between the daemon and the machine: everything outside comes in and goes out here.
+#pragma once
+
+#include "daemon/core/arena.h"
+#include "daemon/core/event.h"
+#include "daemon/core/frame.h"
+#include "daemon/core/request.h"
+#include "daemon/core/ticks.h"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace hyrax {
+
+namespace input {
+/// The pointer, in virtual desktop pixels. Pressed comes only for points on a pet's pixels.
+struct Pressed {
+    Point at;
+    Button button = Button::left;
+    Ticks time = 0;
+};
+struct Moved {
+    Point at;
+    Ticks time = 0;
+};
+struct Released {
+    Point at;
+    Button button = Button::left;
+    Ticks time = 0;
+};
+/// The system took the pointer away: a held pet drops where it is.
+struct PointerLost {};
+/// Screens came, went or changed, or so did a taskbar.
+struct MonitorsChanged {};
+/// A file of the profile may have changed: config.json, a script, a sprite set.
+struct FilesChanged {};
+}  // namespace input
+
+using Input = std::variant<
+    input::Pressed,
+    input::Moved,
+    input::Released,
+    input::PointerLost,
+    input::MonitorsChanged,
+    input::FilesChanged,
+    Request>;
+
+/// What the user sees of the daemon's state without any window: the tray's tip and menu.
+struct Status {
+    std::size_t pets = 0;
+    bool paused = false;
+    std::string problem;  ///< One line about what is wrong; empty when nothing is.
+    bool operator==(const Status&) const = default;
+};
+
+/// A machine with screens, a pointer and a clock. One thread.
+class Desktop {
+public:
+    Desktop() = default;
+    Desktop(const Desktop&) = delete;
+    Desktop& operator=(const Desktop&) = delete;
+    virtual ~Desktop() = default;
+
+    /// Monotonic.
+    virtual Ticks now() = 0;
+    /// Sleeps until there is input or the deadline has come; `never` waits for input alone.
+    virtual std::vector<Input> wait(Ticks deadline) = 0;
+    /// Shows the frame, or as much of it as differs from the one before. Its images stay as they
+    /// are until the next call.
+    virtual void present(const Frame& frame) = 0;
+    /// May be empty for a moment while screens change.
+    virtual std::vector<Monitor> monitors() = 0;
+    /// Called when the status has changed.
+    virtual void show_status(const Status& status) = 0;
+};
+
+}  // namespace hyrax

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// The pets and the arena. Knows no clock, file, window or script: verbs come in, pets move.
+#pragma once
+
+#include "daemon/core/arena.h"
+#include "daemon/core/event.h"
+#include "daemon/core/pet.h"
+#include "daemon/core/result.h"
+#include "daemon/core/slot_map.h"
+#include "physics/physics.h"
+
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hyrax {
+
+/// A sort of pet, as far as its motion depends on it.
+struct Kind {
+    std::string name;
+    Size box;  ///< What meets walls and floor [px], positive.
+};
+
+struct EngineSettings {
+    PhysicsConstants physics;
+    std::size_t max_pets = 100;   ///< Population cap on every path that spawns.
+    double max_speed = 20'000.0;  ///< Velocities set from outside are shortened to this [px/s].
+    bool operator==(const EngineSettings&) const = default;
+};
+
+struct SpawnOptions {
+    std::string kind = "hyrax";
+    std::optional<Vec2> at{};  ///< Top-left corner [px]; without it, somewhere along a top edge.
+    Vec2 velocity{};           ///< [px/s]
+    std::string owner = "user";
+    std::string tag{};
+};
+
+/// Owned by one thread. Every verb that fails changes nothing; it fails on a stale id, on numbers
+/// that are not finite, on an unknown kind, on a full population and while no monitor is known.
+/// A held pet belongs to the hand: fling, push, stop, reset and move_to leave it as it is.
+class Engine {
+public:
+    /// `seed` decides where pets appear that are spawned without a position.
+    Engine(std::vector<Kind> kinds, const EngineSettings& settings, std::uint32_t seed);
+
+    [[nodiscard]] Result<PetId> spawn(const SpawnOptions& options);
+    [[nodiscard]] Result<void> remove(PetId id);
+    /// Sets the velocity [px/s], as if thrown by hand (the document's setVelocity).
+    [[nodiscard]] Result<void> fling(PetId id, Vec2 velocity);
+    /// Adds to the velocity [px/s].
+    [[nodiscard]] Result<void> push(PetId id, Vec2 impulse);
+    /// Both velocity components become zero (the document's resetVelocity).
+    [[nodiscard]] Result<void> stop(PetId id);
+    /// Back to where it was spawned, at rest.
+    [[nodiscard]] Result<void> reset(PetId id);
+    /// Puts the top-left corner there, or as near as the arena allows; keeps the velocity.
+    [[nodiscard]] Result<void> move_to(PetId id, Vec2 position);
+    [[nodiscard]] Result<void> set_tag(PetId id, std::string tag);
+
+    /// Picks a pet up: it follows carry() until let_go().
+    [[nodiscard]] Result<void> grab(PetId id);
+    [[nodiscard]] Result<void> carry(PetId id, Vec2 position);
+    [[nodiscard]] Result<void> let_go(PetId id, Vec2 velocity);
+    void click(PetId id, Button button);
+
+    void reset_all();
+    void clear();
+    /// Throws every pet upwards in a direction of its own.
+    void fling_all();
+
+    /// Moves every pet that is awake to `now`. A pet's first frame shows it where it was put.
+    void advance(Ticks now);
+    /// True while a further advance() would change something.
+    bool moving() const { return !awake_.empty(); }
+
+    /// Pets outside the new arena move to the nearest place in it; nobody is lost.
+    void set_arena(Arena arena);
+    const Arena& arena() const { return arena_; }
+    /// Takes effect with the next frame, for pets in flight as well.
+    void configure(const EngineSettings& settings);
+    const EngineSettings& settings() const { return settings_; }
+
+    const std::vector<Kind>& kinds() const { return kinds_; }
+    /// Replaces the kinds, at least one; pets whose kind is gone become the first one.
+    void set_kinds(std::vector<Kind> kinds);
+    const Pet* find(PetId id) const { return pets_.find(id); }
+    std::size_t size() const { return pets_.size(); }
+    std::size_t awake_count() const { return awake_.size(); }
+    /// Calls visit(id, pet) in drawing order, the topmost last.
+    template <typename Visit>
+    void for_each(Visit visit) const {
+        pets_.for_each(visit);
+    }
+
+    void listen(EventMask mask) { listening_ = mask; }
+    bool has_events() const { return !events_.empty(); }
+    /// The events since the last call, oldest first.
+    std::vector<Event> take_events();
+
+private:
+    template <typename Act>
+    [[nodiscard]] Result<void> change(PetId id, std::string_view verb, Vec2 numbers, Act act);
+    std::optional<std::size_t> kind_named(std::string_view name) const;
+    Size box_of(const Pet& pet) const { return kinds_[pet.kind].box; }
+    void place(Pet& pet, Vec2 position);
+    void launch(PetId id, Pet& pet, Vec2 velocity);
+    void put_back(PetId id, Pet& pet);
+    void wake(PetId id, Pet& pet);
+    void step(PetId id, Pet& pet, double dt);
+    void rest_if_still(Pet& pet);
+    Vec2 capped(Vec2 velocity) const;
+    Vec2 random_entrance();
+    double random_unit();
+    void emit(const Event& event);
+
+    std::vector<Kind> kinds_;
+    EngineSettings settings_;
+    Arena arena_;
+    SlotMap<Pet> pets_;
+    std::vector<PetId> awake_;
+    std::vector<Event> events_;
+    EventMask listening_;
+    std::minstd_rand random_;
+    Ticks now_ = 0;
+};
+
+}  // namespace hyrax

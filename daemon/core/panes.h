@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Plans the windows of the overlay and what of them has to be drawn anew. Pure: values in, values
+// out; a desktop carries it out.
+#pragma once
+
+#include "daemon/core/arena.h"
+#include "daemon/core/frame.h"
+#include "daemon/core/geometry.h"
+#include "daemon/core/ticks.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace hyrax {
+
+/// A window of the overlay: the part of one monitor that holds all sprites on it.
+struct Pane {
+    Rect monitor;     ///< Bounds of its monitor, by which a pane is known.
+    Rect area;        ///< What the window covers: never empty, within the monitor.
+    Rect shows;       ///< Bounding box of the sprites at the latest plan.
+    Rect needed;      ///< Bounding box of all that was shown since `since`.
+    Ticks since = 0;  ///< Start of the span after which the area may shrink.
+
+    bool operator==(const Pane&) const = default;
+};
+
+/// One pane for each monitor that shows a part of a sprite, in the order of the monitors. A pane
+/// grows at once, with room ahead, and shrinks when it was too large for a second: each change
+/// makes the system build a new surface.
+std::vector<Pane> plan_panes(
+    std::span<const Monitor> monitors,
+    std::span<const Rect> sprites,
+    std::span<const Pane> before,
+    Ticks now
+);
+
+/// When to plan again although no sprite moves, because a pane may shrink then; `never` if none.
+Ticks next_plan(std::span<const Pane> panes);
+
+/// The old and the new place of each sprite that differs between two frames.
+std::vector<Rect> changed_places(const Frame& before, const Frame& after);
+
+/// Covers the parts of the places that lie in `area` with at most `most` (> 0) rectangles that hold
+/// few other pixels. They may overlap.
+std::vector<Rect> dirty_clusters(std::span<const Rect> places, const Rect& area, std::size_t most);
+
+}  // namespace hyrax

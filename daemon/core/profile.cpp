@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/core/profile.h"
+
+#include "daemon/core/files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <utility>
+
+namespace hyrax {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t max_script_bytes = std::size_t{1} << 20U;
+
+// UTF-8, whatever the system's own encoding of paths is.
+std::string text_of(const fs::path& path) {
+    const std::u8string text = path.generic_u8string();
+    return {text.begin(), text.end()};
+}
+
+// Folders that hold a sprite.json, by name; a name that is there already stays.
+void find_sprite_folders(const fs::path& root, std::map<std::string, fs::path>& found) {
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(root, error)) {
+        if (fs::exists(entry.path() / "sprite.json", error)) {
+            found.emplace(text_of(entry.path().filename()), entry.path());
+        }
+    }
+}
+
+// Relative names of all Lua files below a folder, sorted.
+std::set<std::string> lua_files(const fs::path& root) {
+    std::set<std::string> names;
+    std::error_code error;
+    auto entry = fs::recursive_directory_iterator(root, error);
+    for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+        const std::string name = text_of(entry->path().lexically_relative(root));
+        if (name.ends_with(".lua") && !name.ends_with(".d.lua")) {
+            names.insert(name);
+        }
+    }
+    return names;
+}
+
+bool has_wildcard(std::string_view pattern) {
+    return pattern.find_first_of("*?") != std::string_view::npos;
+}
+
+// A plain name must stay inside the folder it is looked up in.
+bool is_inside(const fs::path& name) {
+    return name.is_relative() && !name.has_root_name() &&
+           std::ranges::none_of(name, [](const fs::path& part) { return part == ".."; });
+}
+
+}  // namespace
+
+LoadedKinds load_kinds(const Profile& profile, const ImageDecoder& decode) {
+    std::map<std::string, fs::path> folders;
+    find_sprite_folders(profile.user / "sprites", folders);
+    find_sprite_folders(profile.shipped / "config" / "sprites", folders);
+
+    LoadedKinds loaded;
+    bool has_hyrax = false;
+    for (const auto& [name, folder] : folders) {
+        Result<SpriteSet> set = load_sprite_set(folder, decode);
+        if (!set) {
+            loaded.problems.push_back(set.error().message);
+            continue;
+        }
+        set->name = name;
+        has_hyrax = has_hyrax || name == "hyrax";
+        loaded.sets.push_back(*std::move(set));
+    }
+    if (!has_hyrax) {
+        loaded.problems.push_back(fmt::format(
+            "no sprite set \"hyrax\" in {} or {}: showing a plain round pet instead",
+            text_of(profile.user / "sprites"), text_of(profile.shipped / "config" / "sprites")
+        ));
+        loaded.sets.insert(loaded.sets.begin(), placeholder_sprite_set("hyrax"));
+    }
+    return loaded;
+}
+
+LoadedScripts load_scripts(const Profile& profile, const std::vector<std::string>& patterns) {
+    const fs::path own = profile.user / "scripts";
+    const fs::path shipped = profile.shipped / "scripts";
+    const std::set<std::string> names = lua_files(own);
+
+    LoadedScripts loaded;
+    std::map<std::string, fs::path> chosen;
+    for (const std::string& pattern : patterns) {
+        if (has_wildcard(pattern)) {
+            for (const std::string& name : names) {
+                if (matches(pattern, name)) {
+                    chosen.emplace(name, own / fs::path(std::u8string(name.begin(), name.end())));
+                }
+            }
+            continue;
+        }
+        const fs::path name(std::u8string(pattern.begin(), pattern.end()));
+        std::error_code error;
+        if (is_inside(name) && fs::exists(own / name, error)) {
+            chosen.emplace(pattern, own / name);
+        } else if (is_inside(name) && fs::exists(shipped / name, error)) {
+            chosen.emplace(pattern, shipped / name);
+        } else {
+            loaded.problems.push_back(fmt::format(
+                "config.json: /scripts/run: there is no script \"{}\" in {} or {}", pattern,
+                text_of(own), text_of(shipped)
+            ));
+        }
+    }
+    const auto read = [&loaded](const std::string& name, const fs::path& path) {
+        Result<std::string> text = read_text_file(path, max_script_bytes);
+        if (text) {
+            loaded.sources.push_back({name, *std::move(text)});
+        } else {
+            loaded.problems.push_back(text.error().message);
+        }
+    };
+    for (const auto& [name, path] : chosen) {
+        read(name, path);
+    }
+    for (const fs::path& path : profile.more_scripts) {
+        read(text_of(path.filename()), path);
+    }
+    return loaded;
+}
+
+// Only the last star is ever tried again: what an earlier one could take instead, the later one
+// can take as well, and none crosses a '/'.
+bool matches(std::string_view pattern, std::string_view name) {
+    std::size_t at = 0;
+    std::size_t position = 0;
+    std::optional<std::size_t> star;
+    std::size_t star_end = 0;
+    while (position < name.size()) {
+        const bool one = at < pattern.size() && pattern[at] != '*' &&
+                         (pattern[at] == name[position] ||
+                          (pattern[at] == '?' && name[position] != '/'));
+        if (one) {
+            ++at;
+            ++position;
+        } else if (at < pattern.size() && pattern[at] == '*') {
+            star = at++;
+            star_end = position;
+        } else if (star && name[star_end] != '/') {
+            at = *star + 1;
+            position = ++star_end;
+        } else {
+            return false;
+        }
+    }
+    return pattern.find_first_not_of('*', at) == std::string_view::npos;
+}
+
+Result<void> prepare(const Profile& profile) {
+    std::error_code error;
+    for (const fs::path& folder :
+         {profile.user, profile.user / "scripts", profile.user / "sprites"}) {
+        fs::create_directories(folder, error);
+        if (error) {
+            return failure(fmt::format("{}: cannot be made: {}", text_of(folder), error.message()));
+        }
+    }
+    if (!fs::exists(profile.config, error)) {
+        fs::copy_file(profile.shipped / "config" / "config.json", profile.config, error);
+        if (error) {
+            return failure(fmt::format(
+                "{}: cannot be copied from the shipped one: {}", text_of(profile.config),
+                error.message()
+            ));
+        }
+    }
+    return {};
+}
+
+}  // namespace hyrax

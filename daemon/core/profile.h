@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The user's folder and the shipped one: where config, sprite sets and scripts are found.
+#pragma once
+
+#include "daemon/core/script_port.h"
+#include "daemon/core/sprite_set.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hyrax {
+
+/// What the user has in `user` comes before what is shipped in `shipped`.
+struct Profile {
+    std::filesystem::path config;   ///< The file; usually user/config.json.
+    std::filesystem::path user;     ///< Holds sprites/ and scripts/.
+    std::filesystem::path shipped;  ///< Holds config/config.json, config/sprites/ and scripts/.
+    std::vector<std::filesystem::path> more_scripts;  ///< Files that run whatever the config says.
+};
+
+struct LoadedKinds {
+    std::vector<SpriteSet> sets;        ///< Never empty; "hyrax" is always there.
+    std::vector<std::string> problems;  ///< One line for each set that could not be read.
+};
+
+/// Reads every folder with a sprite.json in user/sprites and shipped/config/sprites, sorted by name.
+/// A set that cannot be read is left out; where no "hyrax" can be read, a placeholder takes its place.
+LoadedKinds load_kinds(const Profile& profile, const ImageDecoder& decode);
+
+struct LoadedScripts {
+    std::vector<ScriptSource> sources;
+    std::vector<std::string> problems;
+};
+
+/// Reads the scripts that the patterns name: first in user/scripts, where * and ? match within one
+/// folder level; a plain name that is not there is looked up in shipped/scripts. Files ending
+/// in .d.lua describe the API and never run. `more_scripts` come last, under their file names. Each
+/// script is at most 1 MiB.
+LoadedScripts load_scripts(const Profile& profile, const std::vector<std::string>& patterns);
+
+/// True when `name` fits: * is any run of characters but '/', ? is one of them.
+bool matches(std::string_view pattern, std::string_view name);
+
+/// Makes the user's folder with scripts/ and sprites/ and a copy of the shipped config.json, as far
+/// as they are missing. Never overwrites.
+[[nodiscard]] Result<void> prepare(const Profile& profile);
+
+}  // namespace hyrax

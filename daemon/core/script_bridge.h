@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Between the engine and the scripts: snapshots and events to them, their commands to the engine.
+#pragma once
+
+#include "daemon/core/engine.h"
+#include "daemon/core/script_port.h"
+
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace hyrax {
+
+/// Without a host, or without a script, every call is free.
+class ScriptBridge {
+public:
+    explicit ScriptBridge(std::unique_ptr<ScriptHost> host) : host_(std::move(host)) {}
+
+    /// Replaces all scripts; they start with the next run().
+    void load(std::vector<ScriptSource> sources);
+    /// Hands over the engine's events, runs what is due at `now` and applies the commands. A command
+    /// that fails is logged; one for a pet that has gone meanwhile is dropped.
+    void run(Engine& engine, const std::vector<Monitor>& monitors, Ticks now);
+    /// When run() has something to do, apart from events.
+    Ticks next_wake() const { return next_wake_; }
+
+private:
+    PetKey key_of(PetId id) const;
+    PetId id_of(PetKey key) const;
+    ScriptWorld snapshot(
+        const Engine& engine, const std::vector<Monitor>& monitors, Ticks now
+    ) const;
+    void apply(Engine& engine, const ScriptCommand& command);
+    void forget_removed(const Engine& engine);
+
+    std::unique_ptr<ScriptHost> host_;
+    bool loaded_ = false;
+    Ticks next_wake_ = never;
+    // Pets that scripts spawned, both ways; all others have keys made from their ids.
+    std::unordered_map<PetKey, PetId> made_;
+    std::unordered_map<PetKey, PetKey> made_key_of_;
+};
+
+}  // namespace hyrax

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// The door between the daemon and the scripts: plain data only, so that scripts can live in a
+// process of their own. A snapshot and events go in, commands come out.
+#pragma once
+
+#include "daemon/core/arena.h"
+#include "daemon/core/engine.h"
+#include "daemon/core/event.h"
+#include "daemon/core/ticks.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace hyrax {
+
+/// A pet as scripts name it. The script side invents keys for pets that it spawns, so that
+/// spawn() can answer at once; keys with the top bit set are its own, others come from the daemon.
+using PetKey = std::uint64_t;
+
+inline constexpr PetKey script_made_key = PetKey{1} << 63U;
+
+/// A pet as a script sees it.
+struct PetView {
+    PetKey key = 0;
+    std::string kind;
+    std::string owner;
+    std::string tag;
+    Vec2 position;  ///< Top-left corner of the box, virtual desktop [px].
+    Vec2 velocity;  ///< [px/s]
+    Size box;
+    std::string state;  ///< "fall", "idle" or "held".
+    bool faces_left = false;
+};
+
+/// The world at one moment. A pet that is not listed is gone.
+struct ScriptWorld {
+    Ticks now = 0;
+    std::vector<PetView> pets;
+    std::vector<Monitor> monitors;
+};
+
+struct ScriptEvent {
+    Event event;     ///< Its `pet` field means nothing here.
+    PetKey pet = 0;  ///< 0 where the event is about no pet.
+};
+
+namespace command {
+struct Spawn {
+    PetKey key = 0;  ///< Made by the script side.
+    SpawnOptions options;
+};
+struct Fling {
+    PetKey pet = 0;
+    Vec2 velocity;
+};
+struct Push {
+    PetKey pet = 0;
+    Vec2 change;
+};
+struct Stop {
+    PetKey pet = 0;
+};
+struct Reset {
+    PetKey pet = 0;
+};
+struct MoveTo {
+    PetKey pet = 0;
+    Vec2 position;
+};
+struct SetTag {
+    PetKey pet = 0;
+    std::string tag;
+};
+struct Remove {
+    PetKey pet = 0;
+};
+}  // namespace command
+
+using ScriptCommand = std::variant<
+    command::Spawn,
+    command::Fling,
+    command::Push,
+    command::Stop,
+    command::Reset,
+    command::MoveTo,
+    command::SetTag,
+    command::Remove>;
+
+enum class LogLevel { info, warning, error };
+
+struct ScriptLog {
+    LogLevel level = LogLevel::info;
+    std::string script;
+    std::string text;
+};
+
+/// What scripts did in one run.
+struct ScriptOutput {
+    std::vector<ScriptCommand> commands;  ///< In the order in which they were given.
+    std::vector<ScriptLog> log;
+    EventMask listening;      ///< The events that some handler waits for.
+    Ticks next_wake = never;  ///< The next timer or tick.
+};
+
+/// A script's text under the name that messages use.
+struct ScriptSource {
+    std::string name;  ///< "fountain.lua"
+    std::string text;
+    bool operator==(const ScriptSource&) const = default;
+};
+
+/// Runs scripts. A script that fails is reported in the log of the next output and never stops
+/// the others.
+class ScriptHost {
+public:
+    ScriptHost() = default;
+    ScriptHost(const ScriptHost&) = delete;
+    ScriptHost& operator=(const ScriptHost&) = delete;
+    virtual ~ScriptHost() = default;
+
+    /// Replaces all scripts by these; their main chunks run in the next run().
+    virtual void load(std::vector<ScriptSource> sources) = 0;
+    /// Runs what is due: main chunks, handlers of the events, timers up to `world.now`.
+    virtual ScriptOutput run(const ScriptWorld& world, std::span<const ScriptEvent> events) = 0;
+};
+
+}  // namespace hyrax

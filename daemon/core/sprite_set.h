@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// The pictures of one kind of pet: a sheet of cells and the animations made of them.
+#pragma once
+
+#include "daemon/core/image.h"
+#include "daemon/core/result.h"
+#include "daemon/core/ticks.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hyrax {
+
+struct AnimationFrame {
+    int cell = 0;        ///< Row-major index into the sheet.
+    Ticks duration = 0;  ///< > 0
+};
+
+struct Animation {
+    std::vector<AnimationFrame> frames;  ///< Never empty.
+    bool loop = false;                   ///< Otherwise the last frame stays.
+
+    /// Sum of the frames.
+    Ticks duration() const;
+};
+
+/// What an animation shows at a moment, and until when.
+struct Shown {
+    int cell = 0;
+    Ticks until = never;  ///< Elapsed time at which the cell changes; `never` for the last one.
+};
+
+/// `elapsed` since the animation began, >= 0.
+Shown shown_at(const Animation& animation, Ticks elapsed);
+
+/// The sheet with each cell mirrored in place, for pets that face left.
+Image mirrored_cells(const Image& sheet, Size cell);
+
+struct SpriteSet {
+    std::string name;
+    Image sheet;     ///< As drawn, facing right.
+    Image mirrored;  ///< The same sheet with each cell mirrored in place.
+    Size cell;
+    Rect box;  ///< Within the cell: what meets walls and floor.
+    std::map<std::string, Animation, std::less<>> animations;
+
+    /// The cell's rectangle in the sheet.
+    Rect cell_rect(int index) const;
+    /// The animation of this name, else "idle", which every set has.
+    const Animation& animation(std::string_view animation_name) const;
+};
+
+/// Reads <folder>/sprite.json and its sheet. The message of a failure names the file and the key.
+/// Pixels with alpha below 8 are cleared, so that shadows nobody sees do not catch clicks.
+[[nodiscard]] Result<SpriteSet> load_sprite_set(
+    const std::filesystem::path& folder, const ImageDecoder& decode
+);
+
+/// A plain round pet, drawn by code: for a folder in which no sprite set can be read.
+SpriteSet placeholder_sprite_set(std::string name);
+
+}  // namespace hyrax

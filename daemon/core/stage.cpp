@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/core/stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hyrax {
+namespace {
+
+Shown later(Shown shown, Ticks offset) {
+    return {shown.cell, shown.until == never ? never : shown.until + offset};
+}
+
+Shown settled_pose(const SpriteSet& set, Ticks elapsed, Ticks drowsy_after) {
+    Ticks begin = 0;
+    if (const auto land = set.animations.find("land"); land != set.animations.end()) {
+        begin = land->second.duration();
+        if (elapsed < begin) {
+            const Shown shown = shown_at(land->second, elapsed);
+            return {shown.cell, std::min(shown.until, begin)};
+        }
+    }
+    const Ticks lies_down = begin + drowsy_after;
+    const auto rest = set.animations.find("rest");
+    if (rest != set.animations.end() && elapsed >= lies_down) {
+        return later(shown_at(rest->second, elapsed - lies_down), lies_down);
+    }
+    Shown idle = later(shown_at(set.animation("idle"), elapsed - begin), begin);
+    if (rest != set.animations.end()) {
+        idle.until = std::min(idle.until, lies_down);
+    }
+    return idle;
+}
+
+// The pet's box stands where physics says; the cell hangs around it.
+Point cell_corner(const SpriteSet& set, const Pet& pet) {
+    const Vec2 box = pet.position();
+    const int inset =
+        pet.faces_left ? set.cell.width - set.box.x - set.box.width : set.box.x;
+    return {
+        static_cast<int>(std::lround(box.x)) - inset,
+        static_cast<int>(std::lround(box.y)) - set.box.y,
+    };
+}
+
+}  // namespace
+
+Shown pose(const SpriteSet& set, Motion motion, Ticks elapsed, Ticks drowsy_after) {
+    switch (motion) {
+        case Motion::airborne:
+            return shown_at(set.animation("fall"), elapsed);
+        case Motion::held:
+            return shown_at(set.animation("held"), elapsed);
+        case Motion::settled:
+            return settled_pose(set, elapsed, drowsy_after);
+    }
+    std::unreachable();
+}
+
+Staged staged(
+    const Engine& engine, const std::vector<SpriteSet>& sets, Ticks now, Ticks drowsy_after
+) {
+    Staged result;
+    result.frame.sprites.reserve(engine.size());
+    engine.for_each([&](PetId id, const Pet& pet) {
+        const SpriteSet& set = sets[pet.kind];
+        const Shown shown = pose(set, pet.motion, std::max<Ticks>(0, now - pet.since), drowsy_after);
+        result.frame.sprites.push_back({
+            .image = pet.faces_left ? &set.mirrored : &set.sheet,
+            .source = set.cell_rect(shown.cell),
+            .at = cell_corner(set, pet),
+            .pet = id,
+        });
+        if (shown.until != never) {
+            result.next_change = std::min(result.next_change, pet.since + shown.until);
+        }
+    });
+    return result;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// From pets to pictures: which cell of which sheet stands where, and until when.
+#pragma once
+
+#include "daemon/core/engine.h"
+#include "daemon/core/frame.h"
+#include "daemon/core/sprite_set.h"
+#include "daemon/core/ticks.h"
+
+#include <vector>
+
+namespace hyrax {
+
+/// The cell for a motion that began `elapsed` ago: a settled pet lands, sits for `drowsy_after`,
+/// and then lies down.
+Shown pose(const SpriteSet& set, Motion motion, Ticks elapsed, Ticks drowsy_after);
+
+struct Staged {
+    Frame frame;
+    Ticks next_change = never;  ///< When the next animation frame begins, if nobody moves.
+};
+
+/// `sets[i]` holds the pictures of `engine.kinds()[i]` and must outlive the frame.
+Staged staged(const Engine& engine, const std::vector<SpriteSet>& sets, Ticks now, Ticks drowsy_after);
+
+}  // namespace hyrax

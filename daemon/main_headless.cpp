@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// hyrax-headless: the whole daemon on a desktop made of lists.
+#include "daemon/control/command_line.h"
+#include "daemon/core/daemon.h"
+#include "daemon/headless/headless_desktop.h"
+#include "daemon/headless/monitor_list.h"
+#include "daemon/headless/png_file.h"
+#include "daemon/script/script_host.h"
+
+#include <fmt/format.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int exit_ok = 0;
+constexpr int exit_failed = 1;
+
+int failed(const hyrax::Error& error) {
+    fmt::print(stderr, "hyrax-headless: {}\n", error.message);
+    return exit_failed;
+}
+
+fs::path folder_of_this_program() {
+    std::error_code error;
+    return fs::read_symlink("/proc/self/exe", error).parent_path();
+}
+
+hyrax::Profile profile_for(const hyrax::HeadlessCommandLine& line) {
+    const fs::path shipped = folder_of_this_program();
+    const fs::path config = line.config.value_or(shipped / "config" / "config.json");
+    return {
+        .config = config,
+        .user = fs::absolute(config).parent_path(),
+        .shipped = shipped,
+        .more_scripts = line.scripts,
+    };
+}
+
+int run(const hyrax::HeadlessCommandLine& line) {
+    const auto monitors = hyrax::parse_monitors(line.monitors);
+    if (!monitors) {
+        return failed(monitors.error());
+    }
+    hyrax::DaemonOptions options{
+        .profile = profile_for(line),
+        .decode = hyrax::decode_png,
+        .scripts = hyrax::make_script_host({}),
+        .trace = {},
+        .requests = line.common.requests,
+        .fps = line.fps,
+    };
+    if (line.common.trace) {
+        auto trace = hyrax::Trace::open(*line.common.trace);
+        if (!trace) {
+            return failed(trace.error());
+        }
+        options.trace = *std::move(trace);
+    }
+
+    hyrax::HeadlessDesktop desktop(*monitors, hyrax::from_seconds(line.seconds));
+    hyrax::Daemon daemon(desktop, std::move(options));
+    daemon.run();
+
+    if (line.snapshot) {
+        const auto image = hyrax::picture(desktop.last_frame(), *monitors);
+        if (const auto written = hyrax::write_png(*line.snapshot, image); !written) {
+            return failed(written.error());
+        }
+    }
+    fmt::print(
+        "{} pets ({} moving) after {} s: {} frames shown, {} timer wake-ups\n",
+        daemon.engine().size(), daemon.engine().awake_count(), hyrax::to_seconds(desktop.now()),
+        desktop.presents(), desktop.timer_wakeups()
+    );
+    return exit_ok;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    spdlog::set_default_logger(spdlog::stderr_logger_st("hyrax"));
+    spdlog::set_pattern("%l: %v");
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    const auto parsed = hyrax::parse_headless_arguments(arguments);
+    if (const auto* farewell = std::get_if<hyrax::Farewell>(&parsed)) {
+        fmt::print(farewell->exit_code == 0 ? stdout : stderr, "{}", farewell->text);
+        return farewell->exit_code;
+    }
+    return run(std::get<hyrax::HeadlessCommandLine>(parsed));
+}

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// What happens to a script during a run, and in which order.
+#include "daemon/script/api.h"
+#include "daemon/script/sandbox.h"
+#include "daemon/script/script.h"
+
+#include <fmt/format.h>
+#include <lauxlib.h>
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace hyrax::script {
+namespace {
+
+// Parsing is one call that no hook interrupts.
+constexpr std::int64_t units_per_source_byte = 10;
+
+}  // namespace
+
+void Script::begin(Run& run) {
+    run_ = &run;
+    commands_ = 0;
+    view.renew(run.snapshot);
+    journal.begin_run(now(), run.output.log);
+}
+
+void Script::run_main_chunk(const std::string& source) {
+    loaded_at_ = now();
+    meter.begin(limits.load_units, limits.load_time);
+    protect([this, &source](lua_State* lua) {
+        open_sandbox(lua, *this);
+        open_api(lua);
+        std::string_view text = source;
+        if (text.starts_with("\xEF\xBB\xBF")) {
+            text.remove_prefix(3);
+        }
+        if (text.size() > limits.source) {
+            luaL_error(lua, "source text of %d bytes is over the limit of %d",
+                       static_cast<int>(text.size()), static_cast<int>(limits.source));
+        }
+        meter.charge(lua, static_cast<std::int64_t>(text.size()) * units_per_source_byte);
+        const std::string chunk = "@" + name();
+        if (luaL_loadbufferx(lua, text.data(), text.size(), chunk.c_str(), "t") != LUA_OK) {
+            lua_error(lua);
+        }
+        start(lua, 0);
+    });
+}
+
+void Script::ready() {
+    fire(Topic::ready, nullptr, 0.0);
+}
+
+// What happened to a pet that is gone by now would only be an error in every handler.
+void Script::deliver(const ScriptEvent& event) {
+    const Topic topic = topic_of(event.event.kind);
+    if (is_about_pets(topic) && topic != Topic::remove && view.find(event.pet) == nullptr) {
+        return;
+    }
+    fire(topic, &event, 0.0);
+}
+
+void Script::fire(Topic topic, const ScriptEvent* event, double seconds) {
+    const PetKey pet = event == nullptr ? 0 : event->pet;
+    // Handlers may come and go meanwhile: those that are there now, as far as they still are.
+    std::vector<std::uint64_t> handlers;
+    for (const Handler& handler : schedule.handlers()) {
+        if (handler.topic == topic && (handler.pet == 0 || handler.pet == pet)) {
+            handlers.push_back(handler.id);
+        }
+    }
+    std::vector<std::uint64_t> waiters;
+    for (const Waiter& waiter : schedule.waiters()) {
+        if (waiter.pet != 0 && waiter.topic == topic && waiter.pet == pet) {
+            waiters.push_back(waiter.id);
+        }
+    }
+    for (const std::uint64_t id : handlers) {
+        if (const Handler* const handler = schedule.handler(id); handler != nullptr && active()) {
+            call(handler->function, [&](lua_State* lua) {
+                if (topic == Topic::tick) {
+                    lua_pushnumber(lua, seconds);
+                    return 1;
+                }
+                return event == nullptr ? 0 : push_event(lua, *event);
+            });
+        }
+    }
+    for (const std::uint64_t id : waiters) {
+        if (const auto waiter = schedule.take_waiter(id); waiter && active()) {
+            wake(*waiter, [event](lua_State* lua) { return push_outcome(lua, *event); });
+        }
+    }
+}
+
+void Script::run_due() {
+    end_waits_for_gone_pets();
+    while (active()) {
+        if (const auto waiter = schedule.take_due_waiter(now(), schedule.next_timer())) {
+            wake(*waiter, [&](lua_State* lua) {
+                if (waiter->pet == 0) {
+                    lua_pushnumber(lua, to_seconds(now() - waiter->since));
+                } else {
+                    lua_pushnil(lua);  // the timeout of wait_for
+                }
+                return 1;
+            });
+        } else if (const auto timer = schedule.take_timer(now())) {
+            call(timer->function, [](lua_State*) { return 0; });
+            if (timer->period == 0) {
+                release(timer->function);
+            }
+        } else {
+            break;
+        }
+    }
+    if (active()) {
+        if (const auto seconds = schedule.take_tick(now())) {
+            fire(Topic::tick, nullptr, *seconds);
+        }
+    }
+}
+
+void Script::end_waits_for_gone_pets() {
+    std::vector<std::uint64_t> ended;
+    for (const Waiter& waiter : schedule.waiters()) {
+        if (waiter.pet != 0 && view.find(waiter.pet) == nullptr) {
+            ended.push_back(waiter.id);
+        }
+    }
+    for (const std::uint64_t id : ended) {
+        if (const auto waiter = schedule.take_waiter(id); waiter && active()) {
+            wake(*waiter, [](lua_State* lua) {
+                lua_pushnil(lua);
+                return 1;
+            });
+        }
+    }
+}
+
+void Script::forget_gone_pets() {
+    std::vector<std::uint64_t> gone;
+    for (const Handler& handler : schedule.handlers()) {
+        if (handler.pet != 0 && view.find(handler.pet) == nullptr) {
+            gone.push_back(handler.id);
+        }
+    }
+    for (const std::uint64_t id : gone) {
+        if (const auto function = schedule.cancel(id)) {
+            release(*function);
+        }
+    }
+    forget_handles(lua_, view);
+}
+
+void Script::end() {
+    if (lua_ == nullptr) {
+        return;
+    }
+    if (meter.killed()) {
+        journal.ended(meter.verdict().reason, meter.verdict().trace);
+        close();
+    } else {
+        forget_gone_pets();
+    }
+}
+
+template <std::invocable<lua_State*> PushArguments>
+void Script::call(int function, PushArguments push) {
+    meter.begin(limits.callback_units, limits.callback_time);
+    protect([&](lua_State* lua) {
+        lua_rawgeti(lua, LUA_REGISTRYINDEX, function);
+        start(lua, push(lua));
+    });
+}
+
+template <std::invocable<lua_State*> PushArguments>
+void Script::wake(const Waiter& waiter, PushArguments push) {
+    meter.begin(limits.callback_units, limits.callback_time);
+    protect([&](lua_State* lua) {
+        const int results = push(lua);
+        lua_xmove(lua, waiter.thread.lua, results);
+        resume(waiter.thread, lua, results);
+    });
+}
+
+}  // namespace hyrax::script

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The clock and the alarm of the daemon's one thread.
+#pragma once
+
+#include "daemon/core/ticks.h"
+#include "daemon/win32/handle.h"
+
+namespace hyrax::win32 {
+
+/// Monotonic; goes on while the machine sleeps.
+Ticks clock_now();
+
+/// A waitable timer with a resolution of about half a millisecond.
+class Alarm {
+public:
+    Alarm();
+
+    /// Signals `event()` once, after this span (at once when it is not positive).
+    void set(Ticks span);
+    /// No wake-up until the next set().
+    void cancel();
+    HANDLE event() const { return timer_.raw(); }
+
+private:
+    KernelObject timer_;
+    bool armed_ = false;
+};
+
+}  // namespace hyrax::win32

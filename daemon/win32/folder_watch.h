@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Tells that something in a folder has changed; what, its user finds out.
+#pragma once
+
+#include "daemon/core/ticks.h"
+#include "daemon/win32/debounce.h"
+#include "daemon/win32/handle.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hyrax::win32 {
+
+/// Watches a folder and all below it. Survives that the folder goes and comes back: while it is
+/// missing, looks for it every two seconds.
+class FolderWatch {
+public:
+    /// Changes below the `ignored` names at the top of the folder (logs, for one) do not count.
+    FolderWatch(std::filesystem::path folder, std::vector<std::wstring> ignored, Ticks now);
+    ~FolderWatch();
+    FolderWatch(const FolderWatch&) = delete;
+    FolderWatch& operator=(const FolderWatch&) = delete;
+
+    /// Signalled when check() has something to read.
+    HANDLE event() const { return ready_.raw(); }
+    /// When check() is worth calling though nothing is signalled.
+    Ticks due() const;
+    /// True once after a burst of changes has ended, or when the folder came back.
+    bool check(Ticks now);
+
+private:
+    void open(Ticks now);
+    void close(Ticks now);
+    void ask(Ticks now);
+    void read_answer(Ticks now);
+    bool concerns_us(std::size_t bytes) const;
+
+    struct Request;  ///< What the system writes to while it watches.
+
+    std::filesystem::path folder_;
+    std::vector<std::wstring> ignored_;
+    KernelObject ready_;
+    KernelObject handle_;
+    std::unique_ptr<Request> request_;
+    Debounce changes_{200 * ticks_per_ms, 2 * ticks_per_second};
+    Ticks look_again_ = never;
+};
+
+}  // namespace hyrax::win32

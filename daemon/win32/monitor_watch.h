@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Decides when a change of screens is real. Pure: readings come in, a verdict comes out.
+#pragma once
+
+#include "daemon/core/arena.h"
+#include "daemon/core/ticks.h"
+#include "daemon/win32/debounce.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace hyrax::win32 {
+
+/// One change of screens raises many messages, and reads back half-done states: none at all while
+/// the secure desktop shows, or the old sizes. So a reading counts when it was seen twice.
+class MonitorWatch {
+public:
+    explicit MonitorWatch(std::vector<Monitor> at_start, Ticks now) : current_(std::move(at_start)) {
+        if (current_.empty()) {
+            again_at_ = now + retry_after;
+        }
+    }
+
+    /// The system says that something may have changed.
+    void hint(Ticks now) {
+        hints_.hint(now);
+        again_at_ = never;
+        candidate_.reset();
+    }
+    /// When to read the monitors and call `settle`; `never` while nothing happens.
+    Ticks due() const { return std::min(hints_.due(), again_at_); }
+
+    /// Takes a reading that was due. True when the monitors have changed.
+    bool settle(std::vector<Monitor> reading, Ticks now) {
+        hints_.take(now);
+        again_at_ = never;
+        if (reading.empty()) {
+            again_at_ = now + retry_after;
+            return false;
+        }
+        if (reading == current_) {
+            candidate_.reset();
+            return false;
+        }
+        if (candidate_ != reading) {
+            candidate_ = std::move(reading);
+            again_at_ = now + confirm_after;
+            return false;
+        }
+        current_ = std::move(*candidate_);
+        candidate_.reset();
+        return true;
+    }
+
+    const std::vector<Monitor>& current() const { return current_; }
+
+private:
+    static constexpr Ticks confirm_after = 150 * ticks_per_ms;
+    static constexpr Ticks retry_after = ticks_per_second;
+
+    std::vector<Monitor> current_;
+    std::optional<std::vector<Monitor>> candidate_;
+    Debounce hints_{300 * ticks_per_ms, 2 * ticks_per_second};
+    Ticks again_at_ = never;
+};
+
+}  // namespace hyrax::win32

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// All panes together: carries out what panes.h plans.
+#pragma once
+
+#include "daemon/core/arena.h"
+#include "daemon/core/frame.h"
+#include "daemon/core/panes.h"
+#include "daemon/core/ticks.h"
+#include "daemon/win32/pane_window.h"
+
+#include <memory>
+#include <vector>
+
+namespace hyrax::win32 {
+
+class Overlay {
+public:
+    /// The handler gets the messages of every pane.
+    explicit Overlay(MessageHandler& handler);
+
+    /// Shows the frame. Does nothing if it equals the one before and no pane is due to shrink.
+    void present(const Frame& frame, std::span<const Monitor> monitors, Ticks now);
+    /// When to call present_again(): a pane may shrink, or has lost its pixels. Else `never`.
+    Ticks due() const { return stale_ ? 0 : next_plan(plan_); }
+    /// Shows the frame of the latest present() once more; its images must still be there.
+    void present_again(std::span<const Monitor> monitors, Ticks now);
+
+    /// Everything has to be drawn anew: screens have changed.
+    void forget_pixels();
+
+    bool owns(HWND window) const { return find(window) != nullptr; }
+    bool has_pixel_at(HWND window, Point point) const;
+
+    /// Keeps this pane's window on the screen, empty if need be, until release(). X11 ends a drag
+    /// when the window that got the press goes away.
+    void hold(HWND window) { held_ = window; }
+    void release();
+
+    const OverlayCounters& counters() const { return counters_; }
+
+private:
+    PaneWindow* find(HWND window) const;
+    PaneWindow* window_on(const Rect& monitor);
+    void show(
+        const Frame& frame, std::span<const Rect> changed, std::span<const Monitor> monitors, Ticks now
+    );
+    void retire_windows(const Frame& frame, std::span<const Monitor> monitors);
+
+    MessageHandler& handler_;
+    std::vector<std::unique_ptr<PaneWindow>> windows_;
+    std::vector<Pane> plan_;
+    Frame frame_;
+    HWND held_ = nullptr;
+    bool stale_ = false;  ///< Present even an equal frame.
+    std::size_t most_clusters_;
+    OverlayCounters counters_;
+};
+
+}  // namespace hyrax::win32

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/win32/pane_window.h"
+
+#include "daemon/core/blit.h"
+
+#include <spdlog/spdlog.h>
+
+namespace hyrax::win32 {
+
+namespace {
+
+constexpr DWORD pane_style =
+    WS_EX_LAYERED | WS_EX_TOPMOST | WS_EX_TOOLWINDOW | WS_EX_NOACTIVATE;
+
+}  // namespace
+
+Result<std::unique_ptr<PaneWindow>> PaneWindow::create(
+    const Rect& monitor, MessageHandler& handler
+) {
+    std::unique_ptr<PaneWindow> pane(new PaneWindow(monitor));
+    Result<Window> window = create_window(
+        {.class_name = L"hyrax.pane", .title = L"hyrax pane", .extended_style = pane_style}, handler
+    );
+    if (!window) {
+        return std::unexpected(window.error());
+    }
+    pane->window_ = std::move(*window);
+    // Must be there before the window is first shown. Without it Explorer takes a pane that covers
+    // a monitor for a full-screen program and lowers the taskbar.
+    ::SetPropW(pane->window(), L"NonRudeHWND", pane->window());
+    return pane;
+}
+
+void PaneWindow::show(
+    const Rect& area, const Frame& frame, std::span<const Rect> dirty, OverlayCounters& counters
+) {
+    const Size size{area.width, area.height};
+    blank_ = false;
+    if (!complete_ || area != area_) {
+        counters.resizes += size != Size{area_.width, area_.height} ? 1U : 0U;
+        const Result<bool> room = surface_.make_room(size, {monitor_.width, monitor_.height});
+        if (!room) {
+            spdlog::error("{}", room.error().message);
+            complete_ = false;
+            return;
+        }
+        area_ = area;
+        compose(surface_.view(size), {area.x, area.y}, area, frame);
+        complete_ = present(nullptr, counters);
+        if (!complete_) {
+            renew_layer();
+            complete_ = present(nullptr, counters);
+        }
+    } else {
+        for (const Rect& part : dirty) {
+            compose(surface_.view(size), {area.x, area.y}, part, frame);
+            complete_ = present(&part, counters) && complete_;
+        }
+    }
+    if (!visible_ && complete_) {
+        ::ShowWindow(window(), SW_SHOWNOACTIVATE);
+        visible_ = true;
+    }
+}
+
+/// The whole area, with its place and size, or the dirty part of it.
+bool PaneWindow::present(const Rect* dirty, OverlayCounters& counters) {
+    POINT at{area_.x, area_.y};
+    SIZE size{area_.width, area_.height};
+    POINT source{0, 0};
+    BLENDFUNCTION blend{AC_SRC_OVER, 0, 255, AC_SRC_ALPHA};
+    UPDATELAYEREDWINDOWINFO update{};
+    update.cbSize = sizeof update;
+    update.hdcSrc = surface_.dc();
+    update.pptSrc = &source;
+    update.pblend = &blend;
+    update.dwFlags = ULW_ALPHA;
+    RECT part{};
+    if (dirty == nullptr) {
+        update.pptDst = &at;
+        update.psize = &size;
+    } else {
+        part = {dirty->x - area_.x, dirty->y - area_.y, dirty->right() - area_.x,
+                dirty->bottom() - area_.y};
+        update.prcDirty = &part;
+    }
+    counters.presents += 1;
+    counters.bytes += static_cast<std::uint64_t>((dirty != nullptr ? *dirty : area_).area()) * sizeof(Pixel);
+    if (::UpdateLayeredWindowIndirect(window(), &update) != 0) {
+        return true;
+    }
+    counters.failures += 1;
+    return false;
+}
+
+/// What brings a layered window back whose updates fail, as they do once some other program has
+/// called SetLayeredWindowAttributes on it.
+void PaneWindow::renew_layer() {
+    const LONG_PTR styles = ::GetWindowLongPtrW(window(), GWL_EXSTYLE);
+    ::SetWindowLongPtrW(window(), GWL_EXSTYLE, styles & ~LONG_PTR{WS_EX_LAYERED});
+    ::SetWindowLongPtrW(window(), GWL_EXSTYLE, styles | WS_EX_LAYERED);
+}
+
+void PaneWindow::hide() {
+    if (visible_) {
+        ::ShowWindow(window(), SW_HIDE);
+        visible_ = false;
+    }
+    complete_ = false;
+}
+
+void PaneWindow::show_nothing(OverlayCounters& counters) {
+    if (visible_ && !blank_) {
+        erase(surface_.view({area_.width, area_.height}), {0, 0, area_.width, area_.height});
+        blank_ = present(nullptr, counters);
+        complete_ = false;
+    }
+}
+
+bool PaneWindow::has_pixel_at(Point point) const {
+    if (!visible_ || !area_.contains(point)) {
+        return false;
+    }
+    const PixelView view = surface_.view({area_.width, area_.height});
+    const Pixel* const row = view.pixels + static_cast<std::ptrdiff_t>(point.y - area_.y) * view.stride;
+    return alpha_of(row[point.x - area_.x]) != 0;
+}
+
+}  // namespace hyrax::win32

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/win32/screens.h"
+
+#include "daemon/win32/text.h"
+
+#include <algorithm>
+
+namespace hyrax::win32 {
+
+namespace {
+
+Rect rect_from(const RECT& rect) {
+    return {static_cast<int>(rect.left), static_cast<int>(rect.top),
+            static_cast<int>(rect.right - rect.left), static_cast<int>(rect.bottom - rect.top)};
+}
+
+BOOL CALLBACK add_monitor(HMONITOR handle, HDC, RECT*, LPARAM list) noexcept {
+    MONITORINFOEXW info{};
+    info.cbSize = sizeof info;
+    if (::GetMonitorInfoW(handle, &info) == 0) {
+        return TRUE;
+    }
+    try {
+        reinterpret_cast<std::vector<Monitor>*>(list)->push_back({
+            .bounds = rect_from(info.rcMonitor),
+            .work = rect_from(info.rcWork),
+            .primary = (info.dwFlags & MONITORINFOF_PRIMARY) != 0,
+            .name = utf8(info.szDevice),
+        });
+    } catch (const std::exception&) {
+        return FALSE;
+    }
+    return TRUE;
+}
+
+}  // namespace
+
+std::vector<Monitor> read_monitors() {
+    std::vector<Monitor> monitors;
+    ::EnumDisplayMonitors(nullptr, nullptr, add_monitor, reinterpret_cast<LPARAM>(&monitors));
+    std::ranges::stable_partition(monitors, &Monitor::primary);
+    return monitors;
+}
+
+}  // namespace hyrax::win32

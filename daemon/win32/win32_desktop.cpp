@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// The seam itself: waiting and presenting. What messages mean is in win32_desktop_messages.cpp.
+#include "daemon/win32/win32_desktop.h"
+
+#include "daemon/core/check.h"
+#include "daemon/win32/messages.h"
+#include "daemon/win32/single_instance.h"
+#include "daemon/win32/text.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace hyrax::win32 {
+
+Win32Desktop::Win32Desktop(Win32DesktopOptions options)
+    : options_(std::move(options)),
+      files_(options_.profile, options_.unwatched, clock_now()),
+      screens_(options_.monitors(), clock_now()),
+      overlay_(*this),
+      pointer_(overlay_, inbox_) {}
+
+Result<std::unique_ptr<Win32Desktop>> Win32Desktop::create(Win32DesktopOptions options) {
+    std::unique_ptr<Win32Desktop> desktop(new Win32Desktop(std::move(options)));
+    if (const Result<void> started = desktop->start(); !started) {
+        return std::unexpected(started.error());
+    }
+    return desktop;
+}
+
+Result<void> Win32Desktop::start() {
+    if (alarm_.event() == nullptr || files_.event() == nullptr) {
+        return std::unexpected(system_error("cannot make a timer"));
+    }
+    // Top-level though never shown: message-only windows do not hear of new taskbars and screens.
+    const WindowPlan plan{
+        .class_name = daemon_window_class,
+        .title = options_.instance_name,
+        .extended_style = WS_EX_TOOLWINDOW,
+    };
+    Result<Window> window = create_window(plan, *this);
+    if (!window) {
+        return std::unexpected(window.error());
+    }
+    daemon_ = std::move(*window);
+    taskbar_created_ = ::RegisterWindowMessageW(L"TaskbarCreated");
+    // Explorer has fewer rights than a daemon that was started as administrator.
+    ::ChangeWindowMessageFilterEx(daemon_.raw(), taskbar_created_, MSGFLT_ALLOW, nullptr);
+    about_.emplace(daemon_.raw(), modal_message);
+    tray_.emplace(daemon_.raw(), tray_message, shell_notify, clock_now());
+    return {};
+}
+
+/// Windows that are destroyed still get messages; by then their handler is half gone.
+Win32Desktop::~Win32Desktop() {
+    closing_ = true;
+}
+
+Ticks Win32Desktop::now() {
+    return clock_now();
+}
+
+std::vector<Monitor> Win32Desktop::monitors() {
+    return screens_.current();
+}
+
+void Win32Desktop::present(const Frame& frame) {
+    overlay_.present(frame, screens_.current(), clock_now());
+}
+
+void Win32Desktop::show_status(const Status& status) {
+    status_ = status;
+    tray_->set_tip(tip_text(status));
+}
+
+std::vector<Input> Win32Desktop::wait(Ticks deadline) {
+    HYRAX_CHECK(!waiting_);
+    waiting_ = true;
+    while (true) {
+        drain_messages();
+        do_chores();
+        if (!inbox_.empty() || clock_now() >= deadline) {
+            break;
+        }
+        sleep_until(std::min(deadline, chores_due()));
+    }
+    waiting_ = false;
+    return std::exchange(inbox_, {});
+}
+
+/// The limits keep a flood of messages from starving the frames.
+void Win32Desktop::drain_messages() {
+    constexpr int most = 64;
+    const Ticks until = clock_now() + 4 * ticks_per_ms;
+    MSG message;
+    for (int i = 0; i < most && clock_now() < until; ++i) {
+        if (::PeekMessageW(&message, nullptr, 0, 0, PM_REMOVE) == 0) {
+            return;
+        }
+        if (message.message == WM_QUIT) {
+            inbox_.push_back(Request(request::Quit{}));
+        } else if (!about_->takes(message)) {
+            ::TranslateMessage(&message);
+            ::DispatchMessageW(&message);
+        }
+    }
+}
+
+Ticks Win32Desktop::chores_due() const {
+    return std::min({files_.due(), screens_.due(), overlay_.due(), tray_->due()});
+}
+
+void Win32Desktop::do_chores() {
+    const Ticks time = clock_now();
+    if (files_.check(time)) {
+        inbox_.push_back(input::FilesChanged{});
+    }
+    if (time >= screens_.due() && screens_.settle(options_.monitors(), time)) {
+        overlay_.forget_pixels();
+        inbox_.push_back(input::MonitorsChanged{});
+    }
+    tray_->retry(time);
+    if (time >= overlay_.due()) {
+        overlay_.present_again(screens_.current(), time);
+    }
+}
+
+void Win32Desktop::sleep_until(Ticks due) {
+    if (due == never) {
+        alarm_.cancel();
+    } else {
+        alarm_.set(due - clock_now());
+    }
+    const std::array<HANDLE, 2> events{alarm_.event(), files_.event()};
+    // MWMO_INPUTAVAILABLE: also for messages that an earlier look at the queue has seen.
+    ::MsgWaitForMultipleObjectsEx(
+        static_cast<DWORD>(events.size()), events.data(), INFINITE, QS_ALLINPUT, MWMO_INPUTAVAILABLE
+    );
+    ++wakeups_;
+}
+
+}  // namespace hyrax::win32

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// What the messages of the daemon's window and of the panes mean.
+#include "daemon/win32/messages.h"
+#include "daemon/win32/process.h"
+#include "daemon/win32/single_instance.h"
+#include "daemon/win32/tray_message.h"
+#include "daemon/win32/win32_desktop.h"
+
+#include <spdlog/spdlog.h>
+#include <thread>
+
+namespace hyrax::win32 {
+
+std::optional<LRESULT> Win32Desktop::on_message(
+    HWND window, UINT message, WPARAM wparam, LPARAM lparam
+) {
+    if (closing_ || !tray_) {
+        return std::nullopt;
+    }
+    if (window != daemon_.raw()) {
+        return pointer_.on_pane_message(window, daemon_.raw(), message);
+    }
+    if (message == taskbar_created_) {
+        tray_->renew(clock_now());
+        on_screens_hint();
+        return 0;
+    }
+    if (const auto answer = on_daemon_message(message, wparam, lparam)) {
+        return answer;
+    }
+    return pointer_.on_capturer_message(window, message, wparam, lparam);
+}
+
+std::optional<LRESULT> Win32Desktop::on_daemon_message(
+    UINT message, WPARAM wparam, LPARAM lparam
+) {
+    switch (message) {
+        case tray_message:
+            if (const std::optional<Point> anchor = menu_anchor(wparam, lparam)) {
+                open_menu(*anchor);
+            }
+            return 0;
+        case modal_message:
+            wparam != 0 ? begin_modal() : end_modal();
+            return 0;
+        case WM_TIMER:
+            modal_tick();
+            return 0;
+        case WM_COPYDATA:
+            return on_handed_over(lparam) ? TRUE : FALSE;
+        case WM_DISPLAYCHANGE:
+            on_screens_hint();
+            return 0;
+        case WM_SETTINGCHANGE:
+            if (wparam == SPI_SETWORKAREA) {
+                on_screens_hint();
+            }
+            return 0;
+        case WM_DPICHANGED:
+            tray_->renew(clock_now());
+            on_screens_hint();
+            return 0;
+        case WM_QUERYENDSESSION:
+            return TRUE;
+        case WM_ENDSESSION:
+            if (wparam != FALSE) {
+                inbox_.push_back(Request(request::Quit{}));
+            }
+            return 0;
+        case WM_CLOSE:
+            inbox_.push_back(Request(request::Quit{}));
+            return 0;
+        default:
+            return std::nullopt;
+    }
+}
+
+/// A new mode may have emptied what the panes showed, even when all monitors stay as they were.
+void Win32Desktop::on_screens_hint() {
+    screens_.hint(clock_now());
+    overlay_.forget_pixels();
+}
+
+bool Win32Desktop::on_handed_over(LPARAM copy_data) {
+    const auto arguments = handed_over_arguments(copy_data);
+    if (!arguments || !options_.parse_arguments) {
+        return false;
+    }
+    for (Request& request : options_.parse_arguments(*arguments)) {
+        inbox_.push_back(std::move(request));
+    }
+    return true;
+}
+
+/// One at a time: Enter on the icon asks for it twice.
+void Win32Desktop::open_menu(Point anchor) {
+    if (menu_open_) {
+        return;
+    }
+    menu_open_ = true;
+    begin_modal();
+    const MenuCommand command = choose_from_menu(daemon_.raw(), anchor, status_);
+    end_modal();
+    menu_open_ = false;
+    if (command == MenuCommand::none && ::GetForegroundWindow() == daemon_.raw()) {
+        tray_->take_focus();
+    }
+    carry_out(command);
+}
+
+void Win32Desktop::carry_out(MenuCommand command) {
+    switch (command) {
+        case MenuCommand::none:
+            break;
+        case MenuCommand::spawn:
+            inbox_.push_back(Request(request::Spawn{}));
+            break;
+        case MenuCommand::fling_all:
+            inbox_.push_back(Request(request::FlingAll{}));
+            break;
+        case MenuCommand::reset_all:
+            inbox_.push_back(Request(request::ResetAll{}));
+            break;
+        case MenuCommand::pause:
+            inbox_.push_back(Request(request::SetPaused{!status_.paused}));
+            break;
+        case MenuCommand::open_config:
+            open_config();
+            break;
+        case MenuCommand::reload:
+            inbox_.push_back(Request(request::Reload{}));
+            break;
+        case MenuCommand::about:
+            about_->open();
+            break;
+        case MenuCommand::quit:
+            inbox_.push_back(Request(request::Quit{}));
+            break;
+    }
+}
+
+/// On a thread of its own, which nobody waits for: the shell may take seconds.
+void Win32Desktop::open_config() {
+    std::thread([file = options_.config_file] {
+        if (const Result<void> opened = open_in_editor(file); !opened) {
+            spdlog::error("{}", opened.error().message);
+        }
+    }).detach();
+}
+
+void Win32Desktop::begin_modal() {
+    constexpr UINT period_ms = 15;  // The timer's own grain: a frame in each.
+    if (modal_depth_++ == 0) {
+        ::SetTimer(daemon_.raw(), modal_timer, period_ms, nullptr);
+    }
+}
+
+void Win32Desktop::end_modal() {
+    if (modal_depth_ > 0 && --modal_depth_ == 0) {
+        ::KillTimer(daemon_.raw(), modal_timer);
+    }
+}
+
+void Win32Desktop::modal_tick() {
+    if (in_modal_tick_ || modal_depth_ == 0 || !run_due_) {
+        return;
+    }
+    in_modal_tick_ = true;
+    try {
+        run_due_();
+    } catch (...) {
+        in_modal_tick_ = false;
+        throw;
+    }
+    in_modal_tick_ = false;
+}
+
+}  // namespace hyrax::win32

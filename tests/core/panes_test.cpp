@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/core/panes.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+using namespace hyrax;
+
+namespace {
+
+constexpr Rect left_screen{-1600, -200, 1600, 900};
+constexpr Rect main_screen{0, 0, 1920, 1080};
+
+std::vector<Monitor> two_screens() {
+    return {{.bounds = main_screen, .work = main_screen, .primary = true, .name = "main"},
+            {.bounds = left_screen, .work = left_screen, .name = "left"}};
+}
+
+Rect pet_at_place(int x, int y) {
+    return {x, y, 96, 96};
+}
+
+Sprite sprite(std::uint32_t index, int x, int y) {
+    Sprite result;
+    result.source = {0, 0, 96, 96};
+    result.at = {x, y};
+    result.pet = {index, 1};
+    return result;
+}
+
+bool covered(const std::vector<Rect>& clusters, const Rect& place) {
+    for (int y = place.y; y < place.bottom(); y += 8) {
+        for (int x = place.x; x < place.right(); x += 8) {
+            const auto holds = [&](const Rect& cluster) { return cluster.contains(Point{x, y}); };
+            if (std::ranges::none_of(clusters, holds)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+long long area_of(const std::vector<Rect>& rects) {
+    long long sum = 0;
+    for (const Rect& rect : rects) {
+        sum += rect.area();
+    }
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("a monitor without sprites has no pane") {
+    CHECK(plan_panes(two_screens(), {}, {}, 0).empty());
+    const std::vector<Rect> between{pet_at_place(-300, 2000)};
+    CHECK(plan_panes(two_screens(), between, {}, 0).empty());
+    CHECK(plan_panes({}, std::vector{pet_at_place(0, 0)}, {}, 0).empty());
+}
+
+TEST_CASE("a pane holds its sprites with a margin, on the grid, within the monitor") {
+    const std::vector<Rect> sprites{pet_at_place(300, 400)};
+    const std::vector<Pane> panes = plan_panes(two_screens(), sprites, {}, 0);
+    REQUIRE(panes.size() == 1);
+    CHECK(panes[0].monitor == main_screen);
+    CHECK(panes[0].area == Rect{256, 256, 256, 384});
+
+    const std::vector<Rect> at_corner{pet_at_place(1824, 984)};
+    const Rect area = plan_panes(two_screens(), at_corner, {}, 0).at(0).area;
+    CHECK(area == Rect{1792, 896, 128, 184});
+}
+
+TEST_CASE("negative coordinates snap outward") {
+    const std::vector<Rect> sprites{pet_at_place(-1500, -150)};
+    const std::vector<Pane> panes = plan_panes(two_screens(), sprites, {}, 0);
+    REQUIRE(panes.size() == 1);
+    CHECK(panes[0].monitor == left_screen);
+    CHECK(panes[0].area == Rect{-1536, -200, 256, 200});
+    CHECK(panes[0].area.contains(sprites[0]));
+}
+
+TEST_CASE("a sprite across a seam is shown by both panes, clipped") {
+    const std::vector<Rect> sprites{pet_at_place(-40, 100)};
+    const std::vector<Pane> panes = plan_panes(two_screens(), sprites, {}, 0);
+    REQUIRE(panes.size() == 2);
+    CHECK(panes[0].shows == Rect{0, 100, 56, 96});
+    CHECK(panes[1].shows == Rect{-40, 100, 40, 96});
+}
+
+TEST_CASE("mirrored monitors share one pane") {
+    std::vector<Monitor> mirrored = two_screens();
+    mirrored[1].bounds = main_screen;
+    CHECK(plan_panes(mirrored, std::vector{pet_at_place(10, 10)}, {}, 0).size() == 1);
+}
+
+TEST_CASE("a pane grows at once and shrinks after a second") {
+    const std::vector<Monitor> monitors = two_screens();
+    const std::vector<Rect> near{pet_at_place(300, 400)};
+    const std::vector<Rect> far{pet_at_place(300, 400), pet_at_place(1500, 400)};
+    std::vector<Pane> panes = plan_panes(monitors, near, {}, 0);
+    const Rect small = panes[0].area;
+    CHECK(next_plan(panes) == never);
+
+    panes = plan_panes(monitors, far, panes, 10 * ticks_per_ms);
+    CHECK(panes.at(0).area.contains(far[1]));
+    panes = plan_panes(monitors, near, panes, 20 * ticks_per_ms);
+    CHECK(panes.at(0).area.contains(far[1]));
+
+    // Nothing moves any more; the two plans it asks for bring it back.
+    for (int plans = 0; next_plan(panes) != never; ++plans) {
+        REQUIRE(plans < 2);
+        panes = plan_panes(monitors, near, panes, next_plan(panes));
+    }
+    CHECK(panes.at(0).area == small);
+}
+
+TEST_CASE("a pet that runs across the screen changes its pane at most twice a second") {
+    const std::vector<Monitor> monitors = two_screens();
+    std::vector<Pane> panes;
+    int changes = 0;
+    constexpr int seconds = 4;
+    for (int frame = 0; frame < 60 * seconds; ++frame) {
+        const std::vector<Rect> sprites{pet_at_place(20 + frame * 400 / 60, 900)};
+        std::vector<Pane> next = plan_panes(monitors, sprites, panes, frame * ticks_per_second / 60);
+        REQUIRE(next.size() == 1);
+        CHECK(next[0].area.contains(sprites[0]));
+        changes += !panes.empty() && next[0].area != panes[0].area ? 1 : 0;
+        panes = std::move(next);
+    }
+    CHECK(changes <= 2 * seconds);
+}
+
+TEST_CASE("panes hold every visible pixel on random walks") {
+    const std::vector<Monitor> monitors = two_screens();
+    std::mt19937 random(7);
+    std::uniform_int_distribution<int> step(-200, 200);
+    std::vector<Rect> sprites(5, pet_at_place(100, 100));
+    std::vector<Pane> panes;
+    for (Ticks now = 0; now < 20 * ticks_per_second; now += 16 * ticks_per_ms) {
+        for (Rect& rect : sprites) {
+            rect.x = std::clamp(rect.x + step(random), -1700, 1950);
+            rect.y = std::clamp(rect.y + step(random), -300, 1100);
+        }
+        panes = plan_panes(monitors, sprites, panes, now);
+        for (const Monitor& monitor : monitors) {
+            for (const Rect& rect : sprites) {
+                const Rect seen = intersection(rect, monitor.bounds);
+                const auto pane = std::ranges::find(panes, monitor.bounds, &Pane::monitor);
+                CHECK((seen.empty() || (pane != panes.end() && pane->area.contains(seen))));
+            }
+        }
+        for (const Pane& pane : panes) {
+            CHECK(pane.monitor.contains(pane.area));
+        }
+    }
+}
+
+TEST_CASE("equal frames have no changed places") {
+    const Frame frame{{sprite(1, 10, 10), sprite(2, 500, 10)}};
+    CHECK(changed_places(frame, frame).empty());
+}
+
+TEST_CASE("a moved sprite changes its old and its new place") {
+    const Frame before{{sprite(1, 10, 10), sprite(2, 500, 10)}};
+    const Frame after{{sprite(1, 10, 10), sprite(2, 520, 10)}};
+    CHECK(changed_places(before, after) == std::vector<Rect>{{500, 10, 96, 96}, {520, 10, 96, 96}});
+}
+
+TEST_CASE("sprites that come, go or change their order are changed places") {
+    const Frame one{{sprite(1, 10, 10)}};
+    const Frame two{{sprite(2, 500, 10), sprite(1, 10, 10)}};
+    CHECK(changed_places(one, two) == std::vector<Rect>{{500, 10, 96, 96}});
+    CHECK(changed_places(two, one) == std::vector<Rect>{{500, 10, 96, 96}});
+    CHECK(changed_places({}, one) == std::vector<Rect>{{10, 10, 96, 96}});
+
+    const Frame swapped{{sprite(1, 10, 10), sprite(2, 500, 10)}};
+    const std::vector<Rect> places = changed_places(two, swapped);
+    CHECK(std::ranges::find(places, Rect{500, 10, 96, 96}) != places.end());
+}
+
+TEST_CASE("near places become one cluster, distant ones stay apart") {
+    const std::vector<Rect> near{{500, 10, 96, 96}, {512, 10, 96, 96}};
+    CHECK(dirty_clusters(near, main_screen, 8) == std::vector<Rect>{{500, 10, 108, 96}});
+
+    const Rect wide{-5000, 0, 12000, 1080};
+    const std::vector<Rect> distant{pet_at_place(-5000, 0), pet_at_place(5000, 0)};
+    const std::vector<Rect> clusters = dirty_clusters(distant, wide, 8);
+    CHECK(clusters.size() == 2);
+    CHECK(area_of(clusters) == area_of(distant));
+}
+
+TEST_CASE("clusters are clipped to the pane, and there are few of them") {
+    CHECK(dirty_clusters(std::vector{pet_at_place(-40, 0)}, main_screen, 8)
+          == std::vector<Rect>{{0, 0, 56, 96}});
+    CHECK(dirty_clusters(std::vector{pet_at_place(-400, 0)}, main_screen, 8).empty());
+
+    std::mt19937 random(11);
+    std::uniform_int_distribution<int> x(-50, 1900);
+    std::uniform_int_distribution<int> y(-50, 1060);
+    std::vector<Rect> places;
+    for (int i = 0; i < 60; ++i) {
+        places.push_back(pet_at_place(x(random), y(random)));
+        for (const std::size_t most : {std::size_t{1}, std::size_t{4}, std::size_t{8}}) {
+            const std::vector<Rect> clusters = dirty_clusters(places, main_screen, most);
+            CHECK(clusters.size() <= most);
+            for (const Rect& place : places) {
+                CHECK(covered(clusters, intersection(place, main_screen)));
+            }
+        }
+    }
+}

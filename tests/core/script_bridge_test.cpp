@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/core/script_bridge.h"
+
+#include <doctest/doctest.h>
+
+#include <functional>
+
+using namespace hyrax;
+
+namespace {
+
+// Remembers what came in and answers what the test wants.
+struct Recorder {
+    int runs = 0;
+    ScriptWorld world;
+    std::vector<ScriptEvent> events;
+    ScriptOutput answer;
+};
+
+class RecordingHost : public ScriptHost {
+public:
+    explicit RecordingHost(Recorder& recorder) : recorder_(recorder) {}
+    void load(std::vector<ScriptSource>) override {}
+    ScriptOutput run(const ScriptWorld& world, std::span<const ScriptEvent> events) override {
+        ++recorder_.runs;
+        recorder_.world = world;
+        recorder_.events.assign(events.begin(), events.end());
+        ScriptOutput answer = recorder_.answer;
+        recorder_.answer.commands.clear();
+        return answer;
+    }
+
+private:
+    Recorder& recorder_;
+};
+
+struct Stage {
+    Stage() : engine({{"hyrax", {10, 10}}}, {}, 1), bridge(std::make_unique<RecordingHost>(recorder)) {
+        engine.set_arena(Arena({{{0, 0, 800, 600}, {0, 0, 800, 600}, true, {}}}, FloorEdge::screen));
+        recorder.answer.listening = EventMask::all();
+        bridge.load({{"test.lua", ""}});
+    }
+    void run(Ticks now = 0) { bridge.run(engine, {}, now); }
+
+    Recorder recorder;
+    Engine engine;
+    ScriptBridge bridge;
+};
+
+constexpr PetKey key = script_made_key | 1U;
+
+}  // namespace
+
+TEST_CASE("without scripts nothing runs and nothing wakes") {
+    Engine engine({{"hyrax", {10, 10}}}, {}, 1);
+    ScriptBridge none(nullptr);
+    none.load({});
+    none.run(engine, {}, 1'000'000);
+    CHECK(none.next_wake() == never);
+}
+
+TEST_CASE("a pet keeps the key that its script made") {
+    Stage stage;
+    stage.recorder.answer.commands = {command::Spawn{key, {.at = Vec2{5.0, 6.0}, .owner = "test.lua"}}};
+    stage.run();
+    REQUIRE(stage.engine.size() == 1);
+
+    stage.recorder.answer.commands = {command::Fling{key, {7.0, 8.0}}};
+    stage.run();
+    REQUIRE(stage.recorder.world.pets.size() == 1);
+    CHECK(stage.recorder.world.pets[0].key == key);
+    CHECK(stage.recorder.world.pets[0].owner == "test.lua");
+    CHECK(stage.recorder.world.pets[0].position == Vec2{5.0, 6.0});
+    REQUIRE(stage.recorder.events.size() == 1);
+    CHECK(stage.recorder.events[0].pet == key);
+    stage.engine.for_each([](PetId, const Pet& pet) { CHECK(pet.velocity() == Vec2{7.0, 8.0}); });
+}
+
+TEST_CASE("a removed pet's events still carry its key, then the key is forgotten") {
+    Stage stage;
+    stage.recorder.answer.next_wake = 0;
+    stage.recorder.answer.commands = {command::Spawn{key, {.tag = "stage"}}};
+    stage.run();
+    stage.run();
+    stage.recorder.answer.commands = {command::Remove{key}};
+    stage.run(1);
+    CHECK(stage.engine.size() == 0);
+    stage.run(1);
+    REQUIRE(stage.recorder.events.size() >= 1);
+    CHECK(stage.recorder.events[0].event.kind == EventKind::remove);
+    CHECK(stage.recorder.events[0].event.tag == "stage");
+    CHECK(stage.recorder.events[0].pet == key);
+
+    // The slot's next owner is not reached through the old key.
+    const auto fresh = stage.engine.spawn({});
+    REQUIRE(fresh);
+    stage.recorder.answer.commands = {command::Fling{key, {99.0, 0.0}}};
+    stage.run(1);
+    CHECK(stage.engine.find(*fresh)->velocity() == Vec2{});
+}
+
+TEST_CASE("other pets have keys made from their ids") {
+    Stage stage;
+    const auto id = stage.engine.spawn({});
+    REQUIRE(id);
+    stage.run();
+    REQUIRE(stage.recorder.world.pets.size() == 1);
+    const PetKey seen = stage.recorder.world.pets[0].key;
+    CHECK((seen & script_made_key) == 0);
+    stage.recorder.answer.commands = {command::SetTag{seen, "mine"}};
+    stage.recorder.answer.next_wake = 0;
+    stage.bridge.load({{"test.lua", ""}});
+    stage.run(1);
+    CHECK(stage.engine.find(*id)->tag == "mine");
+}
+
+TEST_CASE("scripts run only when an event, a timer or a load asks for it") {
+    Stage stage;
+    stage.recorder.answer.next_wake = 500;
+    stage.run(0);
+    CHECK(stage.recorder.runs == 1);
+    stage.run(499);
+    CHECK(stage.recorder.runs == 1);
+    stage.run(500);
+    CHECK(stage.recorder.runs == 2);
+    REQUIRE(stage.engine.spawn({}));
+    stage.run(501);
+    CHECK(stage.recorder.runs == 3);
+}

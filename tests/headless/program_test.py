@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: MIT
+"""hyrax-headless as a user runs it: program_test.py <hyrax-headless>"""
+import csv
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = pathlib.Path(sys.argv.pop())
+
+
+def run(*arguments, **options):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True,
+                          timeout=60, **options)
+
+
+class Program(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def test_shipped_config_gives_trace_and_snapshot(self):
+        trace, picture = self.folder / "trace.csv", self.folder / "last.png"
+        done = run("--seconds", 5, "--trace", trace, "--snapshot", picture, "--for-testing",
+                   "--monitors", "800x600+0+0,640x480-640+50")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("pets", done.stdout)
+        rows = list(csv.DictReader(trace.open()))
+        self.assertGreater(len(rows), 200)
+        self.assertTrue(all(-640 <= float(row["x"]) <= 800 for row in rows))
+        self.assertEqual(rows[-1]["motion"], "settled")
+        width, height = struct.unpack(">II", picture.read_bytes()[16:24])
+        self.assertEqual((width, height), (1440, 600))
+
+    def test_same_input_same_trace(self):
+        script = self.folder / "party.lua"
+        script.write_text("hyrax.every(0.3, function() hyrax.spawn{}:fling(math.random(-900, 900), -600) end)")
+        traces = []
+        for name in ("a.csv", "b.csv"):
+            done = run("--script", script, "--seconds", 3, "--trace", self.folder / name)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            traces.append((self.folder / name).read_bytes())
+        self.assertEqual(traces[0], traces[1])
+        self.assertGreater(len(traces[0]), 10_000)
+
+    def test_script_errors_name_file_and_line(self):
+        script = self.folder / "wrong.lua"
+        script.write_text("local a = 1\nerror('oh no')\n")
+        done = run("--script", script, "--seconds", 1)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("wrong.lua:2: oh no", done.stderr)
+
+    def test_wrong_options_end_with_2(self):
+        self.assertEqual(run("--nonsense").returncode, 2)
+        self.assertEqual(run("--seconds", "-1").returncode, 2)
+        self.assertEqual(run("--help").returncode, 0)
+        broken = run("--monitors", "abc")
+        self.assertEqual(broken.returncode, 1)
+        self.assertIn("--monitors", broken.stderr)
+
+
+unittest.main()

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The whole daemon on the recorded desktop, with real JSON, real sprite sets and real Lua.
+#pragma once
+
+#include "daemon/core/daemon.h"
+#include "daemon/headless/headless_desktop.h"
+#include "daemon/headless/png_file.h"
+#include "daemon/script/script_host.h"
+#include "tests/support/temporary_folder.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace hyrax {
+
+inline Monitor screen(Rect bounds) {
+    return {.bounds = bounds, .work = bounds, .primary = true, .name = {}};
+}
+
+/// Files first, then inputs, then run().
+class RecordedDaemon {
+public:
+    explicit RecordedDaemon(
+        double seconds, std::vector<Monitor> monitors = {screen({0, 0, 1920, 1080})}
+    )
+        : desktop(std::move(monitors), from_seconds(seconds)) {}
+
+    void config(std::string_view text) const { folder.write("config.json", text); }
+    void script(std::string_view name, std::string_view text) const {
+        folder.write(std::string("scripts/").append(name), text);
+    }
+    void at(double seconds, Input input) { desktop.add({from_seconds(seconds), std::move(input)}); }
+    void change_file(double seconds, std::string name, std::string text) {
+        desktop.add({
+            from_seconds(seconds),
+            input::FilesChanged{},
+            [this, name = std::move(name), text = std::move(text)] { folder.write(name, text); },
+        });
+    }
+    /// Looks at the daemon at a moment.
+    void look(double seconds, std::function<void(const Daemon&)> see) {
+        desktop.add({
+            from_seconds(seconds),
+            input::PointerLost{},
+            [this, see = std::move(see)] { see(*daemon); },
+        });
+    }
+
+    void run() {
+        DaemonOptions options{
+            .profile = {
+                .config = folder.path() / "config.json",
+                .user = folder.path(),
+                .shipped = HYRAX_SOURCE_DIR,
+                .more_scripts = {},
+            },
+            .decode = decode_png,
+            .scripts = make_script_host({}),
+            .trace = {},
+            .requests = std::move(requests),
+            .fps = {},
+        };
+        daemon.emplace(desktop, std::move(options));
+        daemon->run();
+    }
+
+    TemporaryFolder folder;
+    HeadlessDesktop desktop;
+    std::vector<Request> requests;
+    std::optional<Daemon> daemon;
+};
+
+}  // namespace hyrax
