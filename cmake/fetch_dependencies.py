@@ -123,6 +123,8 @@ def from_upstream(name, pin, given, work):
     try:
         with urllib.request.urlopen(url, timeout=CONNECT_SECONDS) as answer:
             data = answer.read(ARCHIVE_LIMIT + 1)
+    except urllib.error.HTTPError as problem:
+        raise Unavailable(f"{url}: {problem.code} {problem.reason}") from None
     except (urllib.error.URLError, OSError) as problem:
         reason = getattr(problem, "reason", problem)
         unreachable_hosts[host] = f"{host} cannot be reached ({reason})"

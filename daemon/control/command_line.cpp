@@ -2,6 +2,7 @@
 #include "daemon/control/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <sstream>
@@ -22,6 +23,18 @@ struct Raw {
     std::vector<std::string> scripts;
     std::string snapshot;
 };
+
+// CLI::Range lets NaN pass, which is neither below nor above anything.
+CLI::Validator between(double low, double high) {
+    return {
+        [low, high](const std::string& text) -> std::string {
+            double value = 0.0;
+            const bool inside = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+            return inside ? "" : fmt::format("expected a number from {} to {}", low, high);
+        },
+        "FLOAT",
+    };
+}
 
 template <typename R>
 void add_request(CLI::App& app, CommonOptions& common, const char* name, R request, const char* help) {
@@ -96,9 +109,9 @@ std::variant<HeadlessCommandLine, Farewell> parse_headless_arguments(
     app.add_option("--config", raw.config, "A config.json; sprites/ and scripts/ are looked for beside it");
     app.add_option("--script", raw.scripts, "A Lua script to run, may be repeated");
     app.add_option("--seconds", line.seconds, "How long to run [virtual seconds]")
-        ->check(CLI::Range(0.0, 1e6))
+        ->check(between(0.0, 1e6))
         ->capture_default_str();
-    app.add_option("--fps", line.fps, "Frames a second instead of the config's")->check(CLI::Range(1.0, 1000.0));
+    app.add_option("--fps", line.fps, "Frames a second instead of the config's")->check(between(1.0, 1000.0));
     app.add_option("--monitors", line.monitors, "WIDTHxHEIGHT+X+Y[,...]; the first one is the primary")
         ->capture_default_str();
     app.add_option("--snapshot", raw.snapshot, "Write the last frame to this PNG file");

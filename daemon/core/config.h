@@ -17,9 +17,9 @@ namespace hyrax {
 /// Pets that are there when the daemon starts.
 struct StartPets {
     std::string kind = "hyrax";
-    int count = 1;           ///< 0 to 1000.
-    std::optional<Vec2> at;  ///< Top-left corner [px] of all of them.
-    Vec2 velocity;           ///< [px/s]
+    int count = 1;             ///< 0 to 1000.
+    std::optional<Vec2> at{};  ///< Top-left corner [px] of all of them.
+    Vec2 velocity{};           ///< [px/s]
     bool operator==(const StartPets&) const = default;
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/core/located_json.h"
 
-#include "daemon/core/text_cursor.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -63,6 +61,9 @@ public:
     std::string run(std::string_view file) {
         cursor_.skip_blanks();
         std::string what = explain();
+        if (cursor_.rest().starts_with("/*")) {
+            what = "this comment is not closed: */ is missing";
+        }
         return fmt::format("{}: {}", place_in_file(file, cursor_.position()), what);
     }
 
@@ -101,9 +102,6 @@ private:
     }
 
     std::string explain() {
-        if (cursor_.rest().starts_with("/*")) {
-            return "this comment is not closed: */ is missing";
-        }
         switch (expect_) {
             case Expect::value:
             case Expect::first_item:

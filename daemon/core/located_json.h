@@ -4,6 +4,7 @@
 #pragma once
 
 #include "daemon/core/result.h"
+#include "daemon/core/text_cursor.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,13 +14,6 @@
 #include <vector>
 
 namespace hyrax {
-
-/// Counted from 1, as editors do. A column is a character, not a byte.
-struct TextPosition {
-    std::size_t line = 1;
-    std::size_t column = 1;
-    bool operator==(const TextPosition&) const = default;
-};
 
 /// "config.json:12:18", the form that editors jump to.
 std::string place_in_file(std::string_view file, TextPosition at);

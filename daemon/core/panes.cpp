@@ -80,16 +80,16 @@ long long waste(const Rect& a, const Rect& b) {
     return united(a, b).area() - a.area() - b.area();
 }
 
-/// At most 1.3 times the two: a further call to the system costs as much as the spare pixels.
-bool belong_together(const Rect& a, const Rect& b) {
-    return waste(a, b) * 10 <= (a.area() + b.area()) * 3;
+/// The spare pixels cost less than a further call, or are at most 0.3 of the two.
+bool belong_together(const Rect& a, const Rect& b, long long call_px) {
+    return waste(a, b) <= std::max(call_px, (a.area() + b.area()) * 3 / 10);
 }
 
 /// Joins the rectangle with a cluster it belongs to, and the result with the next one, until it
 /// stands alone.
-void add_to(std::vector<Rect>& clusters, Rect rect) {
+void add_to(std::vector<Rect>& clusters, Rect rect, long long call_px) {
     for (std::size_t i = 0; i < clusters.size();) {
-        if (belong_together(clusters[i], rect)) {
+        if (belong_together(clusters[i], rect, call_px)) {
             rect = united(clusters[i], rect);
             clusters[i] = clusters.back();
             clusters.pop_back();
@@ -101,7 +101,7 @@ void add_to(std::vector<Rect>& clusters, Rect rect) {
     clusters.push_back(rect);
 }
 
-void join_cheapest_pair(std::vector<Rect>& clusters) {
+void join_cheapest_pair(std::vector<Rect>& clusters, long long call_px) {
     std::size_t first = 0;
     std::size_t second = 1;
     long long least = std::numeric_limits<long long>::max();
@@ -120,7 +120,7 @@ void join_cheapest_pair(std::vector<Rect>& clusters) {
     clusters.pop_back();
     clusters[first] = clusters.back();
     clusters.pop_back();
-    add_to(clusters, joined);
+    add_to(clusters, joined, call_px);
 }
 
 std::uint64_t key_of(PetId id) {
@@ -214,16 +214,18 @@ std::vector<Rect> changed_places(const Frame& before, const Frame& after) {
     return places;
 }
 
-std::vector<Rect> dirty_clusters(std::span<const Rect> places, const Rect& area, std::size_t most) {
+std::vector<Rect> dirty_clusters(
+    std::span<const Rect> places, const Rect& area, const PresentCost& cost
+) {
     std::vector<Rect> clusters;
     for (const Rect& place : places) {
         const Rect seen = intersection(place, area);
         if (seen.empty()) {
             continue;
         }
-        add_to(clusters, seen);
-        while (clusters.size() > std::max<std::size_t>(most, 1)) {
-            join_cheapest_pair(clusters);
+        add_to(clusters, seen, cost.call_px);
+        while (clusters.size() > std::max<std::size_t>(cost.most_calls, 1)) {
+            join_cheapest_pair(clusters, cost.call_px);
         }
     }
     return clusters;

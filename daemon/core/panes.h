@@ -41,8 +41,16 @@ Ticks next_plan(std::span<const Pane> panes);
 /// The old and the new place of each sprite that differs between two frames.
 std::vector<Rect> changed_places(const Frame& before, const Frame& after);
 
-/// Covers the parts of the places that lie in `area` with at most `most` (> 0) rectangles that hold
-/// few other pixels. They may overlap.
-std::vector<Rect> dirty_clusters(std::span<const Rect> places, const Rect& area, std::size_t most);
+/// What presenting in several calls costs on a system.
+struct PresentCost {
+    std::size_t most_calls = 8;  ///< > 0
+    long long call_px = 0;       ///< Pixels that could be presented for the price of a call.
+};
+
+/// Covers the parts of the places that lie in `area` with few rectangles that hold few other
+/// pixels. They may overlap.
+std::vector<Rect> dirty_clusters(
+    std::span<const Rect> places, const Rect& area, const PresentCost& cost
+);
 
 }  // namespace hyrax

@@ -25,14 +25,15 @@ inline constexpr PetKey script_made_key = PetKey{1} << 63U;
 /// A pet as a script sees it.
 struct PetView {
     PetKey key = 0;
-    std::string kind;
-    std::string owner;
-    std::string tag;
-    Vec2 position;  ///< Top-left corner of the box, virtual desktop [px].
-    Vec2 velocity;  ///< [px/s]
-    Size box;
-    std::string state;  ///< "fall", "idle" or "held".
+    std::string kind{};
+    std::string owner{};
+    std::string tag{};
+    Vec2 position{};  ///< Top-left corner of the box, virtual desktop [px].
+    Vec2 velocity{};  ///< [px/s]
+    Size box{};
+    std::string state{};  ///< "fall", "idle" or "held".
     bool faces_left = false;
+    Vec2 spawned_at{};  ///< Where reset() puts it [px].
 };
 
 /// The world at one moment. A pet that is not listed is gone.
@@ -40,6 +41,8 @@ struct ScriptWorld {
     Ticks now = 0;
     std::vector<PetView> pets;
     std::vector<Monitor> monitors;
+    /// What spawn() can be asked for; empty: not known, the engine decides.
+    std::vector<Kind> kinds{};
 };
 
 struct ScriptEvent {

@@ -48,9 +48,10 @@ constexpr std::array placeholder_blobs{
     Blob{49, 52, 5.5, 4, black},
 };
 
-// Covered share of a pixel in 64ths: an 8 by 8 grid of samples.
+// Covered share of a pixel in 16ths: a 4 by 4 grid of samples. No share but 0 is fainter than the
+// alpha that loaded sheets are cleared at.
 unsigned coverage(const Blob& blob, int x, int y) {
-    constexpr int grid = 8;
+    constexpr int grid = 4;
     unsigned covered = 0;
     for (int i = 0; i < grid * grid; ++i) {
         const double dx = (x + (i % grid + 0.5) / grid - blob.x) / blob.radius_x;
@@ -67,7 +68,7 @@ Pixel blended(Pixel under, Pixel colour, unsigned covered) {
     for (unsigned shift = 0; shift < 32; shift += 8) {
         const unsigned below = under >> shift & 0xFFU;
         const unsigned above = colour >> shift & 0xFFU;
-        result |= (below * (64 - covered) + above * covered) / 64 << shift;
+        result |= (below * (16 - covered) + above * covered) / 16 << shift;
     }
     return result;
 }

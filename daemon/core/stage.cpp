@@ -8,6 +8,9 @@
 namespace hyrax {
 namespace {
 
+// A resting pet breathes for a while and then lies still: a desktop at rest wakes nothing.
+constexpr int breaths = 6;
+
 Shown later(Shown shown, Ticks offset) {
     return {shown.cell, shown.until == never ? never : shown.until + offset};
 }
@@ -24,7 +27,9 @@ Shown settled_pose(const SpriteSet& set, Ticks elapsed, Ticks drowsy_after) {
     const Ticks lies_down = begin + drowsy_after;
     const auto rest = set.animations.find("rest");
     if (rest != set.animations.end() && elapsed >= lies_down) {
-        return later(shown_at(rest->second, elapsed - lies_down), lies_down);
+        const Ticks still_from = lies_down + breaths * rest->second.duration();
+        const Shown shown = later(shown_at(rest->second, elapsed - lies_down), lies_down);
+        return elapsed < still_from ? shown : Shown{rest->second.frames.back().cell, never};
     }
     Shown idle = later(shown_at(set.animation("idle"), elapsed - begin), begin);
     if (rest != set.animations.end()) {

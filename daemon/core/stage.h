@@ -11,8 +11,8 @@
 
 namespace hyrax {
 
-/// The cell for a motion that began `elapsed` ago: a settled pet lands, sits for `drowsy_after`,
-/// and then lies down.
+/// The cell for a motion that began `elapsed` ago: a settled pet lands, sits for `drowsy_after`, lies
+/// down, and after a few breaths changes no more.
 Shown pose(const SpriteSet& set, Motion motion, Ticks elapsed, Ticks drowsy_after);
 
 struct Staged {

@@ -2,14 +2,19 @@
 // A position that walks over JSON text, token by token, and counts lines and columns.
 #pragma once
 
-#include "daemon/core/located_json.h"
-
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace hyrax {
+
+/// Counted from 1, as editors do. A column is a character, not a byte.
+struct TextPosition {
+    std::size_t line = 1;
+    std::size_t column = 1;
+    bool operator==(const TextPosition&) const = default;
+};
 
 /// Does not judge the text: it finds where tokens begin and end, in text that a parser has accepted
 /// up to there, and describes what follows.

@@ -28,9 +28,7 @@ bool is_round(std::uint64_t count) {
 }  // namespace
 
 Journal::Journal(std::string script, const ScriptLimits& limits)
-    : script_(std::move(script)),
-      limits_(limits),
-      credit_(static_cast<double>(limits.log_burst)) {}
+    : script_(std::move(script)), limits_(limits), credit_(static_cast<double>(limits.log_burst)) {}
 
 void Journal::begin_run(Ticks now, std::vector<ScriptLog>& log) {
     const double earned =
@@ -40,9 +38,14 @@ void Journal::begin_run(Ticks now, std::vector<ScriptLog>& log) {
     credit_ = std::min(credit_ + std::max(earned, 0.0), static_cast<double>(limits_.log_burst));
     if (dropped_ > 0 && credit_ >= 1.0) {
         credit_ -= 1.0;
-        tell(LogLevel::warning, fmt::format("{} log lines dropped (limit of {} a second)",
-                                            std::exchange(dropped_, 0),
-                                            limits_.log_lines_per_second));
+        tell(
+            LogLevel::warning,
+            fmt::format(
+                "{} log lines dropped (limit of {} a second)",
+                std::exchange(dropped_, 0),
+                limits_.log_lines_per_second
+            )
+        );
     }
 }
 
@@ -79,8 +82,15 @@ bool Journal::error(std::string_view message, const CallTrace& trace) {
     if (recent_errors_.size() < errors_to_pause) {
         return false;
     }
-    tell(LogLevel::error, fmt::format("{}: paused after {} errors in {:g} s until it is loaded again",
-                                      script_, errors_to_pause, to_seconds(pause_span)));
+    tell(
+        LogLevel::error,
+        fmt::format(
+            "{}: paused after {} errors in {:g} s until it is loaded again",
+            script_,
+            errors_to_pause,
+            to_seconds(pause_span)
+        )
+    );
     return true;
 }
 

@@ -92,9 +92,7 @@ void Meter::watch(lua_State* lua) {
     lua_sethook(lua, on_count, LUA_MASKCOUNT, period);
 }
 
-bool Meter::refuses(
-    bool is_new, std::size_t kind, std::size_t old_size, std::size_t new_size
-) {
+bool Meter::refuses(bool is_new, std::size_t kind, std::size_t old_size, std::size_t new_size) {
     const std::size_t cap = limits_.memory + (killed_ ? overdraft : 0);
     const bool long_string =
         is_new && kind == LUA_TSTRING && new_size > limits_.string + string_overhead;

@@ -33,7 +33,8 @@ public:
         units_ -= units;
         check(lua);
     }
-    /// Raises when the budget is spent. To be called after every call that may have caught an error.
+    /// Raises when the budget is spent. To be called after every call that may have caught an
+    /// error.
     void check(lua_State* lua) {
         if (killed_ || units_ <= 0) {
             stop(lua);

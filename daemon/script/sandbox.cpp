@@ -10,21 +10,23 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <initializer_list>
+#include <span>
 #include <string_view>
 
 namespace hyrax::script {
 namespace {
 
-using Names = std::initializer_list<std::string_view>;
+using Names = std::span<const std::string_view>;
 
-constexpr Names allowed_globals{
-    "assert", "collectgarbage", "error", "getmetatable", "ipairs", "load", "next", "pairs", "pcall",
-    "rawequal", "rawget", "rawlen", "rawset", "require", "select", "setmetatable", "tonumber", "tostring",
-    "type", "xpcall", "_G", "_VERSION", "coroutine", "math", "string", "table", "utf8",
+constexpr std::string_view allowed_globals[]{
+    "_G",     "_VERSION",     "assert", "collectgarbage", "coroutine", "error",
+    "ipairs", "getmetatable", "load",   "math",           "next",      "pairs",
+    "pcall",  "rawequal",     "rawget", "rawlen",         "rawset",    "require",
+    "select", "setmetatable", "string", "table",          "tonumber",  "tostring",
+    "type",   "utf8",         "xpcall",
 };
-constexpr Names allowed_os{"clock", "difftime", "time"};
-constexpr Names allowed_debug{"traceback"};
+constexpr std::string_view allowed_os[]{"clock", "difftime", "time"};
+constexpr std::string_view allowed_debug[]{"traceback"};
 
 // Removes from the table on top of the stack what is not allowed.
 void keep_only(lua_State* lua, Names allowed) {

@@ -31,8 +31,7 @@ int protected_call(lua_State* lua) {
     luaL_checkany(lua, 1);
     lua_pushboolean(lua, 1);
     lua_insert(lua, 1);
-    const int status =
-        lua_pcallk(lua, lua_gettop(lua) - 2, LUA_MULTRET, 0, 0, finish_call);
+    const int status = lua_pcallk(lua, lua_gettop(lua) - 2, LUA_MULTRET, 0, 0, finish_call);
     return finish_call(lua, status, 0);
 }
 
@@ -79,8 +78,11 @@ int set_metatable(lua_State* lua) {
         lua_pushliteral(lua, "__mode");
         if (lua_rawget(lua, 2) == LUA_TSTRING &&
             std::string_view(lua_tostring(lua, -1)).contains('k')) {
-            return luaL_error(lua, "__mode = \"k\" is not available to scripts; tables hold "
-                                   "what is in them");
+            return luaL_error(
+                lua,
+                "__mode = \"k\" is not available to scripts; tables hold "
+                "what is in them"
+            );
         }
     }
     lua_settop(lua, 2);
@@ -167,11 +169,15 @@ int require(lua_State* lua) {
         return 1;
     }
     if (name.size() > longest_name) {
-        return luaL_error(lua, "require: the name is longer than %d bytes",
-                          static_cast<int>(longest_name));
+        return luaL_error(
+            lua, "require: the name is longer than %d bytes", static_cast<int>(longest_name)
+        );
     }
-    return luaL_error(lua, "require: there is no module '%s'; scripts can require 'hyrax' only",
-                      lua_tostring(lua, 1));
+    return luaL_error(
+        lua,
+        "require: there is no module '%s'; scripts can require 'hyrax' only",
+        lua_tostring(lua, 1)
+    );
 }
 
 int collect_garbage(lua_State* lua) {

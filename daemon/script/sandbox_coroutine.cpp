@@ -27,7 +27,6 @@ Resumed fail(lua_State* lua, const char* message) {
     return {Outcome::error, 1};
 }
 
-// The error of a coroutine stays on its own stack for now: closing it needs it there.
 Resumed resume(lua_State* lua, lua_State* thread, int arguments) {
     Script& script = Script::of(lua);
     script.meter.check(lua);
@@ -49,11 +48,13 @@ Resumed resume(lua_State* lua, lua_State* thread, int arguments) {
             return {Outcome::waits, 0};
         }
         script.unpark();
-        return fail(lua, "cannot wait here: a coroutine was resumed inside a sort comparator, a "
-                         "gsub callback or a metamethod");
+        return fail(
+            lua,
+            "cannot wait here: a coroutine was resumed inside a sort comparator, a "
+            "gsub callback or a metamethod"
+        );
     }
     if (status != LUA_OK && status != LUA_YIELD) {
-        lua_pushvalue(thread, -1);
         lua_xmove(thread, lua, 1);
         return {Outcome::error, 1};
     }
@@ -73,6 +74,7 @@ int go_on(lua_State* lua, int /*status*/, lua_KContext wraps) {
     return resume_and_answer(lua, wraps != 0);
 }
 
+// The error is on top of the stack; closing the coroutine may replace it.
 int raise_from(lua_State* lua, lua_State* thread) {
     const int status = lua_status(thread);
     if (status != LUA_OK && status != LUA_YIELD) {
@@ -103,14 +105,14 @@ int resume_and_answer(lua_State* lua, bool wraps) {
     return resumed.values + 1;
 }
 
-int co_resume(lua_State* lua) {
+int script_resume(lua_State* lua) {
     coroutine_argument(lua);
     return resume_and_answer(lua, false);
 }
 
 // A new coroutine starts a count of instructions of its own; chains of short ones would never be
 // counted.
-int co_create(lua_State* lua) {
+int script_create(lua_State* lua) {
     Script::of(lua).meter.charge(lua, Meter::period);
     luaL_checktype(lua, 1, LUA_TFUNCTION);
     lua_State* const thread = lua_newthread(lua);
@@ -125,13 +127,13 @@ int call_wrapped(lua_State* lua) {
     return resume_and_answer(lua, true);
 }
 
-int co_wrap(lua_State* lua) {
-    co_create(lua);
+int script_wrap(lua_State* lua) {
+    script_create(lua);
     lua_pushcclosure(lua, call_wrapped, 1);
     return 1;
 }
 
-int co_yield(lua_State* lua) {
+int script_yield(lua_State* lua) {
     Script& script = Script::of(lua);
     script.meter.check(lua);
     if (script.is_host_thread(lua)) {
@@ -140,14 +142,14 @@ int co_yield(lua_State* lua) {
     return lua_yield(lua, lua_gettop(lua));
 }
 
-int co_is_yieldable(lua_State* lua) {
+int script_is_yieldable(lua_State* lua) {
     lua_State* const thread = lua_isthread(lua, 1) ? lua_tothread(lua, 1) : lua;
     const bool host = Script::of(lua).is_host_thread(thread);
     lua_pushboolean(lua, lua_isyieldable(thread) != 0 && !host ? 1 : 0);
     return 1;
 }
 
-int co_close(lua_State* lua) {
+int script_close(lua_State* lua) {
     Script& script = Script::of(lua);
     lua_State* const thread = coroutine_argument(lua);
     script.meter.charge(lua, Meter::period);
@@ -175,12 +177,12 @@ int co_close(lua_State* lua) {
 
 void replace_coroutines(lua_State* coroutine) {
     constexpr luaL_Reg functions[] = {
-        {"close", co_close},
-        {"create", co_create},
-        {"isyieldable", co_is_yieldable},
-        {"resume", co_resume},
-        {"wrap", co_wrap},
-        {"yield", co_yield},
+        {"close", script_close},
+        {"create", script_create},
+        {"isyieldable", script_is_yieldable},
+        {"resume", script_resume},
+        {"wrap", script_wrap},
+        {"yield", script_yield},
         {nullptr, nullptr},
     };
     luaL_setfuncs(coroutine, functions, 0);

@@ -28,9 +28,8 @@ lua_Unsigned span_of(lua_Integer first, lua_Integer last) {
 
 int insert(lua_State* lua) {
     luaL_checktype(lua, 1, LUA_TTABLE);
-    const lua_Integer end = static_cast<lua_Integer>(
-        static_cast<lua_Unsigned>(luaL_len(lua, 1)) + 1U
-    );
+    const lua_Integer end =
+        static_cast<lua_Integer>(static_cast<lua_Unsigned>(luaL_len(lua, 1)) + 1U);
     lua_Integer position = end;
     switch (lua_gettop(lua)) {
         case 2:

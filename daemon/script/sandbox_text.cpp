@@ -90,7 +90,9 @@ Directive next_directive(std::string_view format, std::size_t from) {
 
 // Stock format shows addresses of tables for %s and of anything for %p.
 void hide_addresses(lua_State* lua) {
-    const std::string_view format(luaL_checkstring(lua, 1), lua_rawlen(lua, 1));
+    std::size_t length = 0;
+    const char* const text = luaL_checklstring(lua, 1, &length);
+    const std::string_view format(text, length);
     const int arguments = lua_gettop(lua);
     int index = 2;
     for (Directive d = next_directive(format, 0); d.conversion != 0 && index <= arguments;
@@ -133,9 +135,8 @@ constexpr char format_key = 0;
 void push_text(lua_State* lua, int index) {
     index = lua_absindex(lua, index);
     const int type = lua_type(lua, index);
-    const bool has_address = type == LUA_TTABLE || type == LUA_TFUNCTION ||
-                             type == LUA_TUSERDATA || type == LUA_TTHREAD ||
-                             type == LUA_TLIGHTUSERDATA;
+    const bool has_address = type == LUA_TTABLE || type == LUA_TFUNCTION || type == LUA_TUSERDATA ||
+                             type == LUA_TTHREAD || type == LUA_TLIGHTUSERDATA;
     if (luaL_callmeta(lua, index, "__tostring") != 0) {
         if (lua_isstring(lua, -1) == 0) {
             luaL_error(lua, "'__tostring' must return a string");
@@ -149,8 +150,9 @@ void push_text(lua_State* lua, int index) {
     std::array<char, 16> number{};
     std::snprintf(number.data(), number.size(), "%08x", disguised(lua_topointer(lua, index)));
     const bool named = luaL_getmetafield(lua, index, "__name") == LUA_TSTRING;
-    lua_pushfstring(lua, "%s: %s", named ? lua_tostring(lua, -1) : lua_typename(lua, type),
-                    number.data());
+    lua_pushfstring(
+        lua, "%s: %s", named ? lua_tostring(lua, -1) : lua_typename(lua, type), number.data()
+    );
 }
 
 void push_formatted(lua_State* lua, int first) {

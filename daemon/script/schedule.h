@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a script waits for: handlers of events, timers, coroutines that wait. Knows no Lua: functions
-// and coroutines are numbers and pointers that the owner understands.
+// What a script waits for: handlers of events, timers, coroutines that wait. Knows no Lua:
+// functions and coroutines are numbers and pointers that the owner understands.
 #pragma once
 
 #include "daemon/core/event.h"
@@ -19,7 +19,16 @@ namespace hyrax::script {
 
 /// What handlers can listen to: the engine's events, then those of the host.
 enum class Topic : std::uint8_t {
-    spawn, remove, grab, throw_pet, bounce, land, click, monitors, ready, tick
+    spawn,
+    remove,
+    grab,
+    throw_pet,
+    bounce,
+    land,
+    click,
+    monitors,
+    ready,
+    tick
 };
 
 /// As scripts spell them, in the order of Topic.
@@ -61,7 +70,7 @@ struct Waiter {
     Ticks due = never;
     PetKey pet = 0;  ///< 0: waits for time alone.
     Topic topic = Topic::ready;
-    HostThread thread;
+    HostThread thread = {};
 };
 
 /// Ids are never reused; what has the smaller id was there first.

@@ -80,8 +80,9 @@ double Script::random_unit() {
 
 void Script::command(lua_State* lua, ScriptCommand command) {
     if (commands_ >= limits.commands) {
-        luaL_error(lua, "limit of %d commands at one time reached",
-                   static_cast<int>(limits.commands));
+        luaL_error(
+            lua, "limit of %d commands at one time reached", static_cast<int>(limits.commands)
+        );
     }
     ++commands_;
     run_->output.commands.push_back(std::move(command));
@@ -171,12 +172,16 @@ void Script::report(lua_State* thread, int status) {
 
 int Script::park(lua_State* lua, Waiter waiter) {
     if (lua_isyieldable(lua) == 0) {
-        return luaL_error(lua, "cannot wait inside a sort comparator, a gsub callback or a "
-                               "metamethod");
+        return luaL_error(
+            lua,
+            "cannot wait inside a sort comparator, a gsub callback or a "
+            "metamethod"
+        );
     }
     if (schedule.waiters().size() >= limits.waiting) {
-        return luaL_error(lua, "limit of %d waiting coroutines reached",
-                          static_cast<int>(limits.waiting));
+        return luaL_error(
+            lua, "limit of %d waiting coroutines reached", static_cast<int>(limits.waiting)
+        );
     }
     waiter.since = now();
     waiter.thread = running_;
@@ -191,8 +196,8 @@ void Script::unpark() {
 }
 
 bool Script::is_waiting(const lua_State* thread) const {
-    return schedule.is_waiting(thread) || std::ranges::find(waiting_inside_, thread) !=
-                                              waiting_inside_.end();
+    return schedule.is_waiting(thread) ||
+           std::ranges::find(waiting_inside_, thread) != waiting_inside_.end();
 }
 
 void Script::waits_inside(lua_State* thread, bool waits) {

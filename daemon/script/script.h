@@ -96,9 +96,7 @@ private:
     void protect(void (*body)(lua_State*, void*), void* data);
     template <std::invocable<lua_State*> Body>
     void protect(Body body) {
-        protect(
-            [](lua_State* lua, void* data) { (*static_cast<Body*>(data))(lua); }, &body
-        );
+        protect([](lua_State* lua, void* data) { (*static_cast<Body*>(data))(lua); }, &body);
     }
     template <std::invocable<lua_State*> PushArguments>
     void call(int function, PushArguments push);

@@ -37,8 +37,12 @@ void Script::run_main_chunk(const std::string& source) {
             text.remove_prefix(3);
         }
         if (text.size() > limits.source) {
-            luaL_error(lua, "source text of %d bytes is over the limit of %d",
-                       static_cast<int>(text.size()), static_cast<int>(limits.source));
+            luaL_error(
+                lua,
+                "source text of %d bytes is over the limit of %d",
+                static_cast<int>(text.size()),
+                static_cast<int>(limits.source)
+            );
         }
         meter.charge(lua, static_cast<std::int64_t>(text.size()) * units_per_source_byte);
         const std::string chunk = "@" + name();
@@ -126,7 +130,7 @@ void Script::run_due() {
 void Script::end_waits_for_gone_pets() {
     std::vector<std::uint64_t> ended;
     for (const Waiter& waiter : schedule.waiters()) {
-        if (waiter.pet != 0 && view.find(waiter.pet) == nullptr) {
+        if (waiter.pet != 0 && view.is_past(waiter.pet)) {
             ended.push_back(waiter.id);
         }
     }
@@ -143,7 +147,7 @@ void Script::end_waits_for_gone_pets() {
 void Script::forget_gone_pets() {
     std::vector<std::uint64_t> gone;
     for (const Handler& handler : schedule.handlers()) {
-        if (handler.pet != 0 && view.find(handler.pet) == nullptr) {
+        if (handler.pet != 0 && view.is_past(handler.pet)) {
             gone.push_back(handler.id);
         }
     }

@@ -10,8 +10,8 @@
 
 namespace hyrax::script {
 
-// 30 000 chained tables with weak keys take the collector seconds (convergeephemerons in lgc.c), and
-// `rawset(mt, "__mode", "k")` after setmetatable cannot be refused. The collector looks for the
+// 30 000 chained tables with weak keys take the collector seconds (convergeephemerons in lgc.c),
+// and `rawset(mt, "__mode", "k")` after setmetatable cannot be refused. The collector looks for the
 // metafield by the identity of a short string; a long string is never identical to a script's.
 void make_tables_strong(lua_State* lua) {
     static_assert(LUAI_MAXSHORTLEN < 60);

@@ -32,6 +32,10 @@ const PetView* WorldView::find(PetKey key) const {
     return gone_.contains(key) ? nullptr : snapshot_->find(key);
 }
 
+bool WorldView::is_past(PetKey key) const {
+    return find(key) == nullptr && snapshot_->find(key) == nullptr;
+}
+
 PetView* WorldView::edit(PetKey key) {
     const PetView* const pet = find(key);
     return pet == nullptr ? nullptr : &changed_.try_emplace(key, *pet).first->second;

@@ -30,6 +30,8 @@ public:
     const ScriptWorld& world() const { return snapshot_->world(); }
     /// Null when the pet is gone.
     const PetView* find(PetKey key) const;
+    /// True once no event can come any more: it is gone, and was gone when the run began.
+    bool is_past(PetKey key) const;
     /// The pet, to be changed; null when it is gone.
     PetView* edit(PetKey key);
     void add(PetView pet);

@@ -9,9 +9,9 @@ namespace hyrax::win32 {
 /// Modeless: its messages come through the daemon's own loop, by way of takes().
 class AboutBox {
 public:
-    /// `modal_owner` gets `modal_message` with wparam 1 while the system moves the box or shows its
+    /// `modal_owner` gets the message with wparam 1 while the system moves the box or shows its
     /// menu in a loop of its own, and with 0 afterwards.
-    AboutBox(HWND modal_owner, UINT modal_message) : owner_(modal_owner), message_(modal_message) {}
+    AboutBox(HWND modal_owner, UINT message) : owner_(modal_owner), message_(message) {}
     AboutBox(const AboutBox&) = delete;
     AboutBox& operator=(const AboutBox&) = delete;
 

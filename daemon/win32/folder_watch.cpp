@@ -63,7 +63,14 @@ bool FolderWatch::check(Ticks now) {
             changes_.hint(now);
         }
     }
-    return changes_.take(now);
+    if (!changes_.take(now)) {
+        return false;
+    }
+    // Under Wine 8 a folder that was removed, or replaced by a new one, leaves the old handle
+    // silent. What changed in between is read by whoever is told now.
+    close(now);
+    open(now);
+    return true;
 }
 
 void FolderWatch::open(Ticks now) {

@@ -22,7 +22,7 @@ public:
     void present(const Frame& frame, std::span<const Monitor> monitors, Ticks now);
     /// When to call present_again(): a pane may shrink, or has lost its pixels. Else `never`.
     Ticks due() const { return stale_ ? 0 : next_plan(plan_); }
-    /// Shows the frame of the latest present() once more; its images must still be there.
+    /// Shows once more what the latest present() has drawn; needs none of its images.
     void present_again(std::span<const Monitor> monitors, Ticks now);
 
     /// Everything has to be drawn anew: screens have changed.
@@ -41,9 +41,7 @@ public:
 private:
     PaneWindow* find(HWND window) const;
     PaneWindow* window_on(const Rect& monitor);
-    void show(
-        const Frame& frame, std::span<const Rect> changed, std::span<const Monitor> monitors, Ticks now
-    );
+    void plan(const Frame& frame, std::span<const Monitor> monitors, Ticks now);
     void retire_windows(const Frame& frame, std::span<const Monitor> monitors);
 
     MessageHandler& handler_;
@@ -51,8 +49,9 @@ private:
     std::vector<Pane> plan_;
     Frame frame_;
     HWND held_ = nullptr;
-    bool stale_ = false;  ///< Present even an equal frame.
-    std::size_t most_clusters_;
+    bool stale_ = false;    ///< A window must be presented, hidden or removed at once.
+    bool undrawn_ = false;  ///< The next present() must draw even an equal frame.
+    bool wine_;
     OverlayCounters counters_;
 };
 

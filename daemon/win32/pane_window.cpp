@@ -3,6 +3,8 @@
 
 #include "daemon/core/blit.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <spdlog/spdlog.h>
 
 namespace hyrax::win32 {
@@ -61,6 +63,23 @@ void PaneWindow::show(
         ::ShowWindow(window(), SW_SHOWNOACTIVATE);
         visible_ = true;
     }
+}
+
+bool PaneWindow::show_again(const Rect& area, OverlayCounters& counters) {
+    if (!visible_ || blank_ || !area_.contains(area)) {
+        return false;
+    }
+    counters.resizes += area != area_ ? 1U : 0U;
+    const PixelView view = surface_.view({area_.width, area_.height});
+    // Towards the top left, row by row: no row is overwritten before it has been moved.
+    for (int y = 0; y < area.height; ++y) {
+        const Pixel* const from =
+            view.pixels + std::ptrdiff_t{y + area.y - area_.y} * view.stride + (area.x - area_.x);
+        std::copy_n(from, area.width, view.pixels + std::ptrdiff_t{y} * view.stride);
+    }
+    area_ = area;
+    complete_ = present(nullptr, counters);
+    return true;
 }
 
 /// The whole area, with its place and size, or the dirty part of it.
@@ -122,7 +141,7 @@ bool PaneWindow::has_pixel_at(Point point) const {
         return false;
     }
     const PixelView view = surface_.view({area_.width, area_.height});
-    const Pixel* const row = view.pixels + static_cast<std::ptrdiff_t>(point.y - area_.y) * view.stride;
+    const Pixel* const row = view.pixels + std::ptrdiff_t{point.y - area_.y} * view.stride;
     return alpha_of(row[point.x - area_.x]) != 0;
 }
 

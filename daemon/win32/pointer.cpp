@@ -79,7 +79,7 @@ std::optional<LRESULT> Pointer::press(HWND pane, HWND capturer, Button button) {
         held_ = button;
         overlay_.hold(pane);
         ::SetCapture(capturer);
-        inbox_.push_back(input::Pressed{at, button, clock_now()});
+        inbox_.emplace_back(input::Pressed{at, button, clock_now()});
     }
     return 0;
 }
@@ -97,7 +97,7 @@ void Pointer::move(WPARAM held_keys) {
     if (!inbox_.empty() && std::holds_alternative<input::Moved>(inbox_.back())) {
         inbox_.back() = moved;
     } else {
-        inbox_.push_back(moved);
+        inbox_.emplace_back(moved);
     }
 }
 
@@ -105,7 +105,7 @@ void Pointer::release(Button button) {
     if (held_ == button) {
         held_.reset();
         overlay_.release();
-        inbox_.push_back(input::Released{message_point(), button, clock_now()});
+        inbox_.emplace_back(input::Released{message_point(), button, clock_now()});
         ::ReleaseCapture();
     }
 }
@@ -114,7 +114,7 @@ void Pointer::lose() {
     if (held_) {
         held_.reset();
         overlay_.release();
-        inbox_.push_back(input::PointerLost{});
+        inbox_.emplace_back(input::PointerLost{});
     }
 }
 

@@ -71,7 +71,8 @@ Result<Folders> find_folders() {
     if (!program) {
         return std::unexpected(program.error());
     }
-    Folders folders{.program = program->parent_path()};
+    Folders folders;
+    folders.program = program->parent_path();
     std::error_code ignored;
     if (std::filesystem::exists(folders.program / L"hyrax.portable", ignored) && can_write_to(folders.program)) {
         folders.profile = folders.program / L"profile";

@@ -22,8 +22,9 @@ void add_line(HMENU menu) {
 }
 
 std::wstring menu_text(const std::string& text) {
+    const std::wstring whole = wide(text);
     std::wstring result;
-    for (const wchar_t unit : shortened(wide(text), longest_problem)) {
+    for (const wchar_t unit : shortened(whole, longest_problem)) {
         result += unit;
         if (unit == L'&') {
             result += unit;  // A single one would underline the next letter.

@@ -98,7 +98,7 @@ void Win32Desktop::drain_messages() {
             return;
         }
         if (message.message == WM_QUIT) {
-            inbox_.push_back(Request(request::Quit{}));
+            ask(request::Quit{});
         } else if (!about_->takes(message)) {
             ::TranslateMessage(&message);
             ::DispatchMessageW(&message);
@@ -113,11 +113,11 @@ Ticks Win32Desktop::chores_due() const {
 void Win32Desktop::do_chores() {
     const Ticks time = clock_now();
     if (files_.check(time)) {
-        inbox_.push_back(input::FilesChanged{});
+        inbox_.emplace_back(input::FilesChanged{});
     }
     if (time >= screens_.due() && screens_.settle(options_.monitors(), time)) {
         overlay_.forget_pixels();
-        inbox_.push_back(input::MonitorsChanged{});
+        inbox_.emplace_back(input::MonitorsChanged{});
     }
     tray_->retry(time);
     if (time >= overlay_.due()) {

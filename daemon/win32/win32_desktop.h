@@ -72,6 +72,7 @@ private:
         HWND window, UINT message, WPARAM wparam, LPARAM lparam
     ) override;
     std::optional<LRESULT> on_daemon_message(UINT message, WPARAM wparam, LPARAM lparam);
+    void ask(Request request);
     void on_screens_hint();
     bool on_handed_over(LPARAM copy_data);
     void open_menu(Point anchor);

@@ -64,15 +64,19 @@ std::optional<LRESULT> Win32Desktop::on_daemon_message(
             return TRUE;
         case WM_ENDSESSION:
             if (wparam != FALSE) {
-                inbox_.push_back(Request(request::Quit{}));
+                ask(request::Quit{});
             }
             return 0;
         case WM_CLOSE:
-            inbox_.push_back(Request(request::Quit{}));
+            ask(request::Quit{});
             return 0;
         default:
             return std::nullopt;
     }
+}
+
+void Win32Desktop::ask(Request request) {
+    inbox_.emplace_back(std::in_place_type<Request>, std::move(request));
 }
 
 /// A new mode may have emptied what the panes showed, even when all monitors stay as they were.
@@ -87,7 +91,7 @@ bool Win32Desktop::on_handed_over(LPARAM copy_data) {
         return false;
     }
     for (Request& request : options_.parse_arguments(*arguments)) {
-        inbox_.push_back(std::move(request));
+        ask(std::move(request));
     }
     return true;
 }
@@ -113,28 +117,28 @@ void Win32Desktop::carry_out(MenuCommand command) {
         case MenuCommand::none:
             break;
         case MenuCommand::spawn:
-            inbox_.push_back(Request(request::Spawn{}));
+            ask(request::Spawn{});
             break;
         case MenuCommand::fling_all:
-            inbox_.push_back(Request(request::FlingAll{}));
+            ask(request::FlingAll{});
             break;
         case MenuCommand::reset_all:
-            inbox_.push_back(Request(request::ResetAll{}));
+            ask(request::ResetAll{});
             break;
         case MenuCommand::pause:
-            inbox_.push_back(Request(request::SetPaused{!status_.paused}));
+            ask(request::SetPaused{!status_.paused});
             break;
         case MenuCommand::open_config:
             open_config();
             break;
         case MenuCommand::reload:
-            inbox_.push_back(Request(request::Reload{}));
+            ask(request::Reload{});
             break;
         case MenuCommand::about:
             about_->open();
             break;
         case MenuCommand::quit:
-            inbox_.push_back(Request(request::Quit{}));
+            ask(request::Quit{});
             break;
     }
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/core/files.h"
 
-#include "tests/core/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -17,6 +18,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t plenty = 1000;
 
+fs::path written(const TemporaryFolder& folder, std::string_view name, std::string_view text) {
+    folder.write(name, text);
+    return folder.path() / name;
+}
+
 std::string complaint(const fs::path& path, std::size_t max_bytes = plenty) {
     const Result<std::string> text = read_text_file(path, max_bytes);
     return text ? "read it" : text.error().message;
@@ -27,10 +33,10 @@ std::string complaint(const fs::path& path, std::size_t max_bytes = plenty) {
 TEST_CASE("files: a text comes as it is, without the mark of UTF-8") {
     const TemporaryFolder folder;
     const std::string text("one\r\ntwo\n\0three", 14);
-    CHECK(read_text_file(folder.write("a.txt", text), plenty) == text);
-    CHECK(read_text_file(folder.write("b.txt", "\xEF\xBB\xBFtext"), plenty) == "text");
-    CHECK(read_text_file(folder.write("c.txt", ""), plenty) == "");
-    CHECK(read_binary_file(folder.write("d.txt", "\xEF\xBB\xBFtext"), plenty)->size() == 7);
+    CHECK(read_text_file(written(folder, "a.txt", text), plenty) == text);
+    CHECK(read_text_file(written(folder, "b.txt", "\xEF\xBB\xBFtext"), plenty) == "text");
+    CHECK(read_text_file(written(folder, "c.txt", ""), plenty) == "");
+    CHECK(read_binary_file(written(folder, "d.txt", "\xEF\xBB\xBFtext"), plenty)->size() == 7);
 }
 
 TEST_CASE("files: what cannot be read says what it is") {
@@ -38,10 +44,8 @@ TEST_CASE("files: what cannot be read says what it is") {
     const std::string missing = utf8_from_path(folder.path() / "missing.txt");
     CHECK(complaint(folder.path() / "missing.txt") == missing + ": there is no such file");
     CHECK(complaint(folder.path() / "no" / "where").ends_with(": there is no such file"));
-    CHECK(
-        complaint(folder.path()) == utf8_from_path(folder.path()) + ": is a folder, not a file"
-    );
-    const fs::path file = folder.write("a.txt", "12345");
+    CHECK(complaint(folder.path()) == utf8_from_path(folder.path()) + ": is a folder, not a file");
+    const fs::path file = written(folder, "a.txt", "12345");
     CHECK(complaint(file, 5) == "read it");
     CHECK(
         complaint(file, 4) == utf8_from_path(file) + ": is too large: 5 bytes, at most 4 are read"
@@ -51,16 +55,21 @@ TEST_CASE("files: what cannot be read says what it is") {
 
 TEST_CASE("files: a huge file is refused without being read") {
     const TemporaryFolder folder;
-    const fs::path file = folder.write("huge.json", "");
+    const fs::path file = written(folder, "huge.json", "");
     fs::resize_file(file, 100'000'000);
-    const auto begin = std::chrono::steady_clock::now();
-    CHECK(complaint(file).ends_with(": is too large: 100000000 bytes, at most 1000 are read"));
-    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::milliseconds(20));
+    // The best of a few attempts: a busy machine may hold up any one of them.
+    std::chrono::steady_clock::duration best = std::chrono::hours(1);
+    for (int attempt = 0; attempt < 5; ++attempt) {
+        const auto begin = std::chrono::steady_clock::now();
+        CHECK(complaint(file).ends_with(": is too large: 100000000 bytes, at most 1000 are read"));
+        best = std::min(best, std::chrono::steady_clock::now() - begin);
+    }
+    CHECK(best < std::chrono::milliseconds(10));
 }
 
 TEST_CASE("files: what may not be read says so") {
     const TemporaryFolder folder;
-    const fs::path file = folder.write("secret.txt", "secret");
+    const fs::path file = written(folder, "secret.txt", "secret");
     fs::permissions(file, fs::perms::none);
     const std::string text = complaint(file);
     // The administrator, and Windows, whose file modes know no such bit, may read it all the same.
@@ -78,7 +87,7 @@ TEST_CASE("files: a device is refused, not read for ever") {
 
 TEST_CASE("files: writing replaces the whole file and leaves nothing else behind") {
     const TemporaryFolder folder;
-    const fs::path file = folder.write("a.txt", "a longer text than the new one");
+    const fs::path file = written(folder, "a.txt", "a longer text than the new one");
     REQUIRE(write_file_atomically(file, "new\n"));
     CHECK(read_text_file(file, plenty) == "new\n");
     REQUIRE(write_file_atomically(folder.path() / "b.txt", "fresh"));
@@ -90,7 +99,9 @@ TEST_CASE("files: writing that fails keeps the old state") {
     const TemporaryFolder folder;
     const Result<void> nowhere = write_file_atomically(folder.path() / "no" / "a.txt", "text");
     REQUIRE_FALSE(nowhere);
-    CHECK(nowhere.error().message.ends_with("a.txt.new: cannot be written: No such file or directory"));
+    CHECK(
+        nowhere.error().message.ends_with("a.txt.new: cannot be written: No such file or directory")
+    );
 
     fs::create_directories(folder.path() / "taken" / "inside");
     const Result<void> over_folder = write_file_atomically(folder.path() / "taken", "text");

@@ -27,7 +27,7 @@ SpriteSet small_set() {
     set.animations["fall"] = {{{2, 100 * ms}, {3, 100 * ms}}, true};
     set.animations["held"] = {{{4, 100 * ms}}, true};
     set.animations["land"] = {{{5, 80 * ms}, {6, 120 * ms}}, false};
-    set.animations["rest"] = {{{7, 500 * ms}}, false};
+    set.animations["rest"] = {{{7, 500 * ms}, {3, 500 * ms}}, true};
     return set;
 }
 
@@ -52,8 +52,11 @@ TEST_CASE("a settled pet lands, sits, and lies down for good") {
     CHECK(at(1250 * ms).cell == 1);
     CHECK(at(3150 * ms).until == 3200 * ms);
     CHECK(at(3200 * ms).cell == 7);
-    CHECK(at(3200 * ms).until == never);
-    CHECK(at(1'000'000 * ms).cell == 7);
+    CHECK(at(3200 * ms).until == 3700 * ms);
+    CHECK(at(9100 * ms).cell == 3);
+    CHECK(at(9200 * ms).cell == 3);
+    CHECK(at(9200 * ms).until == never);
+    CHECK(at(1'000'000 * ms).cell == 3);
 }
 
 TEST_CASE("a set without land and rest goes on sitting") {

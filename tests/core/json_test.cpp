@@ -71,9 +71,10 @@ TEST_CASE("json: values and keys know where they begin") {
 }
 
 TEST_CASE("json: comments, marks in strings and wide characters do not confuse positions") {
-    const LocatedJson root = parsed("\xEF\xBB\xBF// {\"no\": 1}\r\n"
-                                    "/* , : \" */ { /**/ \"a,:/*\" /*:*/ : // x\n"
-                                    "  \"\xC3\xA4\xE5\xB2\xA9\xF0\x9F\x90\xB9\", \"b\": 1 } // end");
+    const LocatedJson root =
+        parsed("\xEF\xBB\xBF// {\"no\": 1}\r\n"
+               "/* , : \" */ { /**/ \"a,:/*\" /*:*/ : // x\n"
+               "  \"\xC3\xA4\xE5\xB2\xA9\xF0\x9F\x90\xB9\", \"b\": 1 } // end");
     CHECK(root.at == TextPosition{2, 13});
     REQUIRE(root.children.size() == 2);
     CHECK(root.children[0].key == "a,:/*");
@@ -92,7 +93,9 @@ TEST_CASE("json: any value may be the root") {
 TEST_CASE("json: syntax errors in plain words, at the place where something is wrong") {
     CHECK(complaint("") == "f: the file is empty; at least {} is needed");
     CHECK(complaint(" \n // nothing\n") == "f: the file is empty; at least {} is needed");
-    CHECK(complaint("{") == "f:1:2: expected a key in double quotes or }, found the end of the file");
+    CHECK(
+        complaint("{") == "f:1:2: expected a key in double quotes or }, found the end of the file"
+    );
     CHECK(complaint("{a: 1}") == "f:1:2: expected a key in double quotes or }, found a");
     CHECK(complaint("{\"a\" 1}") == "f:1:6: expected a : between key and value, found 1");
     CHECK(complaint("{\"a\": }") == "f:1:7: expected a value, found }");
@@ -107,6 +110,7 @@ TEST_CASE("json: syntax errors in plain words, at the place where something is w
     CHECK(complaint("{} x") == "f:1:4: expected the end of the file, found x");
     CHECK(complaint("{}\n{}") == "f:2:1: expected the end of the file, found {");
     CHECK(complaint("[/* x") == "f:1:2: this comment is not closed: */ is missing");
+    CHECK(complaint("[1, /* x") == "f:1:5: this comment is not closed: */ is missing");
     CHECK(complaint("[] /* x") == "f:1:4: this comment is not closed: */ is missing");
 }
 
@@ -119,7 +123,8 @@ TEST_CASE("json: wrong words and numbers") {
     for (const char* number : {".5", "1.", "-", "+1", "1e", "-.5"}) {
         CHECK(
             complaint("[" + std::string(number) + "]") ==
-            "f:1:2: " + std::string(number) + " is no number that JSON knows (such as 12, -0.5 or 1e3)"
+            "f:1:2: " + std::string(number) +
+                " is no number that JSON knows (such as 12, -0.5 or 1e3)"
         );
     }
     CHECK(complaint("[1e999]") == "f:1:2: the number 1e999 is too large");
@@ -132,10 +137,14 @@ TEST_CASE("json: wrong words and numbers") {
 TEST_CASE("json: wrong texts") {
     CHECK(complaint("[\"abc]\n") == "f:1:2: the closing \" of this text is missing on its line");
     CHECK(complaint("[\"abc\n\"]") == "f:1:2: the closing \" of this text is missing on its line");
-    CHECK(complaint("{\"a\": 1,\n \"b: 2}") ==
-          "f:2:2: the closing \" of this text is missing on its line");
-    CHECK(complaint("[\"C:\\Users\"]") ==
-          "f:1:5: a \\ that begins no escape; write \\\\ for a backslash");
+    CHECK(
+        complaint("{\"a\": 1,\n \"b: 2}") ==
+        "f:2:2: the closing \" of this text is missing on its line"
+    );
+    CHECK(
+        complaint("[\"C:\\Users\"]") ==
+        "f:1:5: a \\ that begins no escape; write \\\\ for a backslash"
+    );
     CHECK(complaint("[\"a\tb\"]") == "f:1:4: a control character (0x09) inside a text");
     CHECK(complaint("[\"\\ud800\"]") == "f:1:2: a \\u escape in this text names no character");
     CHECK(complaint("[\"\\u12\"]") == "f:1:2: a \\u escape in this text names no character");
@@ -162,16 +171,20 @@ TEST_CASE("json: bytes that are not UTF-8 are refused, in comments as well") {
 }
 
 TEST_CASE("json: a key comes once in its object") {
-    CHECK(complaint("{\"a\": 1,\n \"b\": 2,\n \"\\u0061\": 3}") ==
-          "f:3:2: the key \"a\" is already in this object, in line 1");
+    CHECK(
+        complaint("{\"a\": 1,\n \"b\": 2,\n \"\\u0061\": 3}") ==
+        "f:3:2: the key \"a\" is already in this object, in line 1"
+    );
     CHECK(complaint("{\"a\": {\"a\": {}}, \"b\": [{\"a\": 1}, {\"a\": 1}]}") == "parsed it");
 }
 
 TEST_CASE("json: nesting has a limit") {
     const int limit = static_cast<int>(max_json_depth);
     CHECK(complaint(repeated("[", limit) + repeated("]", limit)) == "parsed it");
-    CHECK(complaint(repeated("[", limit + 1) + repeated("]", limit + 1)) ==
-          "f:1:65: nested more than 64 deep");
+    CHECK(
+        complaint(repeated("[", limit + 1) + repeated("]", limit + 1)) ==
+        "f:1:65: nested more than 64 deep"
+    );
     CHECK(complaint(repeated("[", 10'000)) == "f:1:65: nested more than 64 deep");
     CHECK(complaint(repeated("{\"a\":", 10'000)) == "f:1:321: nested more than 64 deep");
 }

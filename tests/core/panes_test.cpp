@@ -182,19 +182,21 @@ TEST_CASE("sprites that come, go or change their order are changed places") {
 
 TEST_CASE("near places become one cluster, distant ones stay apart") {
     const std::vector<Rect> near{{500, 10, 96, 96}, {512, 10, 96, 96}};
-    CHECK(dirty_clusters(near, main_screen, 8) == std::vector<Rect>{{500, 10, 108, 96}});
+    CHECK(dirty_clusters(near, main_screen, {}) == std::vector<Rect>{{500, 10, 108, 96}});
 
     const Rect wide{-5000, 0, 12000, 1080};
     const std::vector<Rect> distant{pet_at_place(-5000, 0), pet_at_place(5000, 0)};
-    const std::vector<Rect> clusters = dirty_clusters(distant, wide, 8);
+    const std::vector<Rect> clusters = dirty_clusters(distant, wide, {});
     CHECK(clusters.size() == 2);
     CHECK(area_of(clusters) == area_of(distant));
+    // Where a call costs as much as copying the whole window, there is one.
+    CHECK(dirty_clusters(distant, wide, {.call_px = wide.area()}).size() == 1);
 }
 
 TEST_CASE("clusters are clipped to the pane, and there are few of them") {
-    CHECK(dirty_clusters(std::vector{pet_at_place(-40, 0)}, main_screen, 8)
+    CHECK(dirty_clusters(std::vector{pet_at_place(-40, 0)}, main_screen, {})
           == std::vector<Rect>{{0, 0, 56, 96}});
-    CHECK(dirty_clusters(std::vector{pet_at_place(-400, 0)}, main_screen, 8).empty());
+    CHECK(dirty_clusters(std::vector{pet_at_place(-400, 0)}, main_screen, {}).empty());
 
     std::mt19937 random(11);
     std::uniform_int_distribution<int> x(-50, 1900);
@@ -203,7 +205,7 @@ TEST_CASE("clusters are clipped to the pane, and there are few of them") {
     for (int i = 0; i < 60; ++i) {
         places.push_back(pet_at_place(x(random), y(random)));
         for (const std::size_t most : {std::size_t{1}, std::size_t{4}, std::size_t{8}}) {
-            const std::vector<Rect> clusters = dirty_clusters(places, main_screen, most);
+            const std::vector<Rect> clusters = dirty_clusters(places, main_screen, {.most_calls = most});
             CHECK(clusters.size() <= most);
             for (const Rect& place : places) {
                 CHECK(covered(clusters, intersection(place, main_screen)));

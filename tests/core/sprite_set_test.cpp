@@ -2,7 +2,7 @@
 #include "daemon/core/sprite_set.h"
 
 #include "daemon/core/files.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <doctest/doctest.h>
 
@@ -188,65 +188,95 @@ TEST_CASE("sprite set: the name is the folder's where none is given") {
 
 TEST_CASE("sprite set: what is missing") {
     const TemporaryFolder empty;
-    CHECK(load_sprite_set(empty.path(), numbered_8_by_4).error().message ==
-          utf8_from_path(empty.path() / "sprite.json") + ": there is no such file");
-    CHECK(complaint_about(R"("sheet": "sheet.png",)", "") ==
-          "sprite.json:1:1: \"sheet\" is missing");
-    CHECK(complaint_about(R"("idle")", R"("sit")") ==
-          "sprite.json:5:19: /animations: \"idle\" is missing");
-    CHECK(complaint_about(R"(, "ms": 100)", "") ==
-          "sprite.json:6:51: /animations/idle/frames/1: \"ms\" is missing");
-    CHECK(Folder("{}").complaint() == "sprite.json:1:1: \"sheet\" is missing\n"
-                                      "sprite.json:1:1: \"cell\" is missing\n"
-                                      "sprite.json:1:1: \"animations\" is missing");
-    CHECK(Folder("[]").complaint() ==
-          "sprite.json:1:1: must be an object { }, got a list [ ]");
+    CHECK(
+        load_sprite_set(empty.path(), numbered_8_by_4).error().message ==
+        utf8_from_path(empty.path() / "sprite.json") + ": there is no such file"
+    );
+    CHECK(
+        complaint_about(R"("sheet": "sheet.png",)", "") == "sprite.json:1:1: \"sheet\" is missing"
+    );
+    CHECK(
+        complaint_about(R"("idle")", R"("sit")") ==
+        "sprite.json:5:19: /animations: \"idle\" is missing"
+    );
+    CHECK(
+        complaint_about(R"(, "ms": 100)", "") ==
+        "sprite.json:6:54: /animations/idle/frames/1: \"ms\" is missing"
+    );
+    CHECK(
+        Folder("{}").complaint() == "sprite.json:1:1: \"sheet\" is missing\n"
+                                    "sprite.json:1:1: \"cell\" is missing\n"
+                                    "sprite.json:1:1: \"animations\" is missing"
+    );
+    CHECK(Folder("[]").complaint() == "sprite.json:1:1: must be an object { }, got a list [ ]");
     CHECK(Folder("").complaint() == "sprite.json: the file is empty; at least {} is needed");
 }
 
 TEST_CASE("sprite set: numbers have bounds") {
-    CHECK(complaint_about("\"width\": 4", "\"width\": 0") ==
-          "sprite.json:3:23: /cell/width: must be a whole number from 1 to 8192, got 0");
-    CHECK(complaint_about("\"ms\": 5", "\"ms\": 0") ==
-          "sprite.json:7:46: /animations/wave/frames/0/ms: must be a whole number from 1 to 600000, "
-          "got 0");
+    CHECK(
+        complaint_about("\"width\": 4", "\"width\": 0") ==
+        "sprite.json:3:23: /cell/width: must be a whole number from 1 to 8192, got 0"
+    );
+    CHECK(
+        complaint_about("\"ms\": 5", "\"ms\": 0") ==
+        "sprite.json:7:47: /animations/wave/frames/0/ms: must be a whole number from 1 to 600000, "
+        "got 0"
+    );
     CHECK(complaint_about("\"ms\": 5", "\"ms\": 600001").contains("from 1 to 600000, got 600001"));
-    CHECK(complaint_about("[{\"cell\": 1, \"ms\": 5}]", "[]") ==
-          "sprite.json:7:28: /animations/wave/frames: must be a list [ ] of 1 to 1000 items, got 0");
-    CHECK(complaint_about("\"loop\": true", "\"loop\": 1").ends_with("must be true or false, got 1"));
-    CHECK(complaint_about("\"cell\": 3", "\"cell\": 4") ==
-          "sprite.json:6:60: /animations/idle/frames/1/cell: must be a whole number from 0 to 3, "
-          "got 4");
+    CHECK(
+        complaint_about("[{\"cell\": 1, \"ms\": 5}]", "[]") ==
+        "sprite.json:7:28: /animations/wave/frames: must be a list [ ] of 1 to 1000 items, got 0"
+    );
+    CHECK(complaint_about("\"loop\": true", "\"loop\": 1").ends_with("must be true or false, got 1")
+    );
+    CHECK(
+        complaint_about("\"cell\": 3", "\"cell\": 4") ==
+        "sprite.json:6:63: /animations/idle/frames/1/cell: must be a whole number from 0 to 3, "
+        "got 4"
+    );
     CHECK(complaint_about("\"cell\": 3", "\"cell\": -1").contains("got -1"));
     CHECK(complaint_about("\"x\": 2, \"y\": 2", "\"x\": 2, \"y\": 3").contains("/anchor/y: "));
 }
 
 TEST_CASE("sprite set: the box lies within the cell") {
-    CHECK(complaint_about("\"width\": 3", "\"width\": 4") ==
-          "sprite.json:4:38: /box/width: must be a whole number from 1 to 3, got 4");
+    CHECK(
+        complaint_about("\"width\": 3", "\"width\": 4") ==
+        "sprite.json:4:38: /box/width: must be a whole number from 1 to 3, got 4"
+    );
     CHECK(complaint_about("\"width\": 3", "\"width\": 0").contains("/box/width: "));
     CHECK(complaint_about("{\"x\": 1, \"y\": 0,", "{\"x\": 1, \"y\": 2,").contains("/box/y: "));
     CHECK(complaint_about("{\"x\": 1, \"y\": 0,", "{\"x\": -1, \"y\": 0,").contains("/box/x: "));
 }
 
 TEST_CASE("sprite set: slips in keys are found, other keys are left alone") {
-    CHECK(complaint_about("\"loop\"", "\"lop\"") ==
-          "sprite.json:6:75: /animations/idle/lop: unknown key; did you mean \"loop\"?");
+    CHECK(
+        complaint_about("\"loop\"", "\"lop\"") ==
+        "sprite.json:6:79: /animations/idle/lop: unknown key; did you mean \"loop\"?"
+    );
     CHECK(complaint_about("\"name\"", "\"licence\": \"CC0\", \"name\"") == "loaded it");
 }
 
 TEST_CASE("sprite set: the sheet stays inside the folder") {
-    for (const char* bad : {
-             "../sheet.png", "a/../../sheet.png", "/etc/passwd", "C:/sheet.png", "C:sheet.png",
-             "a\\\\sheet.png", "./sheet.png", "", ".", "sheet.png:stream"
-         }) {
-        CHECK(complaint_about("sheet.png", bad) ==
-              "sprite.json:2:31: /sheet: must be a file in this folder, such as \"sheet.png\", "
-              "got \"" + std::string(bad) + "\"");
+    for (const char* bad :
+         {"../sheet.png",
+          "a/../../sheet.png",
+          "/etc/passwd",
+          "C:/sheet.png",
+          "C:sheet.png",
+          "a\\\\sheet.png",
+          "./sheet.png",
+          "",
+          ".",
+          "sheet.png:stream"}) {
+        CHECK(
+            complaint_about("sheet.png", bad) ==
+            "sprite.json:2:29: /sheet: must be a file in this folder, such as \"sheet.png\", "
+            "got \"" +
+                std::string(bad) + "\""
+        );
     }
     const Folder folder(changed(good, "sheet.png", "below/sheet.png"));
     CHECK(folder.complaint().ends_with("sheet.png: there is no such file"));
-    fs::create_directories(folder.temporary.path() / "below");
     folder.temporary.write("below/sheet.png", png_header(8, 4));
     CHECK(folder.complaint() == "loaded it");
 }
@@ -258,28 +288,37 @@ TEST_CASE("sprite set: sheets that cannot be used") {
         return folder.complaint();
     };
     CHECK(complaint_of_sheet("") == "sheet.png: is not a PNG picture");
-    CHECK(complaint_of_sheet("GIF89a, and then some more bytes") == "sheet.png: is not a PNG picture");
+    CHECK(
+        complaint_of_sheet("GIF89a, and then some more bytes") == "sheet.png: is not a PNG picture"
+    );
     CHECK(complaint_of_sheet(png_header(8, 4).substr(0, 23)) == "sheet.png: is not a PNG picture");
-    CHECK(complaint_of_sheet(png_header(9, 4)) ==
-          "sheet.png: is 9 x 4 pixels, which is no whole number of cells of 4 x 2 "
-          "(/cell in sprite.json)");
+    CHECK(
+        complaint_of_sheet(png_header(9, 4)) ==
+        "sheet.png: is 9 x 4 pixels, which is no whole number of cells of 4 x 2 "
+        "(/cell in sprite.json)"
+    );
     CHECK(complaint_of_sheet(png_header(8, 3)).contains("no whole number of cells"));
-    CHECK(complaint_of_sheet(png_header(8196, 4)) ==
-          "sheet.png: is 8196 x 4 pixels; 1 to 8192 a side are allowed");
+    CHECK(
+        complaint_of_sheet(png_header(8196, 4)) ==
+        "sheet.png: is 8196 x 4 pixels; 1 to 8192 a side are allowed"
+    );
     CHECK(complaint_of_sheet(png_header(0xFFFFFFFF, 0)).contains("a side are allowed"));
     fs::resize_file(folder.temporary.path() / "sheet.png", max_image_file_bytes + 1);
-    CHECK(folder.complaint() ==
-          "sheet.png: is too large: 16777217 bytes, at most 16777216 are read");
+    CHECK(
+        folder.complaint() == "sheet.png: is too large: 16777217 bytes, at most 16777216 are read"
+    );
     fs::remove(folder.temporary.path() / "sheet.png");
     CHECK(folder.complaint() == "sheet.png: there is no such file");
 }
 
 TEST_CASE("sprite set: a decoder's failure is passed on, a wrong result is noticed") {
     const Folder folder(good);
-    CHECK(folder.complaint([](auto) -> Result<Image> { return failure("chunk IDAT is broken"); }) ==
-          "sheet.png: cannot be decoded: chunk IDAT is broken");
-    CHECK(folder.complaint([](auto) -> Result<Image> { return Image({4, 4}); }) ==
-          "sheet.png: was decoded to another size than its header says");
+    CHECK(folder.complaint([](auto) -> Result<Image> {
+        return failure("chunk IDAT is broken");
+    }) == "sheet.png: cannot be decoded: chunk IDAT is broken");
+    CHECK(folder.complaint([](auto) -> Result<Image> {
+        return Image({4, 4});
+    }) == "sheet.png: was decoded to another size than its header says");
     CHECK(folder.complaint([](auto) -> Result<Image> {
         Image image({8, 4});
         image.pixels.pop_back();
@@ -322,9 +361,9 @@ TEST_CASE("sprite set: the placeholder is a whole, clean set") {
             return alpha_of(pixel) >= low && alpha_of(pixel) <= high;
         });
     };
-    CHECK(in_range(1, 7) == 0);         // nothing that catches clicks unseen
-    CHECK(in_range(8, 254) > 100);      // a soft edge
-    CHECK(in_range(255, 255) > 3000);   // a body
+    CHECK(in_range(1, 7) == 0);        // nothing that catches clicks unseen
+    CHECK(in_range(8, 254) > 100);     // a soft edge
+    CHECK(in_range(255, 255) > 3000);  // a body
     CHECK(alpha_of(set.sheet.at(0, 0)) == 0);
     CHECK(alpha_of(set.sheet.at(set.cell.width / 2, set.cell.height / 2)) == 255);
 }

@@ -51,31 +51,29 @@ def film(desk, seconds, folder):
 def write_gif(frames, path):
     """One palette without dithering: what stands still is the same in each frame and costs nothing."""
 
-    def convert(*arguments):
-        subprocess.run(["convert", *map(str, arguments)], check=True)
+    def run(*command):
+        subprocess.run([str(word) for word in command], check=True)
 
     for width in GIF_WIDTHS:
+        # mogrify takes one after the other; convert would hold all in memory and pass its limit.
+        run("mogrify", "-resize", width, "-format", "png", *frames)
         small = [frame.with_suffix(".png") for frame in frames]
-        # One by one: all frames at once would pass ImageMagick's memory limit.
-        for frame, target in zip(frames, small):
-            convert(frame, "-resize", width, target)
-        palette = frames[0].with_name("palette.png")
-        convert(*small[:: max(1, len(small) // 12)], "-append", "+dither", "-colors", 255, palette)
-        delay = round(100 / FRAMES_A_SECOND)
-        convert(
-            "-delay", delay, "-loop", 0, *small, "+dither", "-remap", palette, "-layers", "OptimizeTransparency",
-            "-layers", "OptimizeFrame", path,
+        palette = path.with_suffix(".png")
+        run("convert", *small[:: max(1, len(small) // 12)], "-append", "+dither", "-colors", 255, palette)
+        run(
+            "convert", "-delay", round(100 / FRAMES_A_SECOND), "-loop", 0, *small,
+            "+dither", "-remap", palette, "-layers", "Optimize", path,
         )  # fmt: skip
+        palette.unlink()
         if path.stat().st_size <= GIF_LIMIT:
             break
 
 
-def statistics(program, desk_cpu, seconds, profile):
-    """What the program says of itself at its end, and what the kernel says of it."""
-    texts = [log.read_text(encoding="utf-8", errors="replace") for log in sorted(profile.glob("**/*.log"))]
-    own = [line for text in [*texts, program.text()] for line in text.splitlines() if re.search(r"\bframes\b", line)]
-    line = f"{100 * desk_cpu / seconds:.0f} % of a core"
-    return f"{own[-1].strip()}; {line}" if own else line
+def last_words(log):
+    """The last line of the program's log, without date and level: what it counted."""
+    lines = log.read_text(encoding="utf-8", errors="replace").split("\n") if log.exists() else []
+    said = [line.strip() for line in lines if line.strip()]
+    return re.sub(r"^[-0-9 :.]+\w+: ", "", said[-1]) if said else "no log"
 
 
 def main():
@@ -104,7 +102,7 @@ def main():
         # A second start hands its option to the first one, which then has time to say good-bye.
         desk.start(exe, "--profile", wine.windows_path(profile), "--quit").wait(30)
         program.wait(30)
-        told = statistics(program, cpu, seconds, profile)
+        told = f"{last_words(profile / 'hyrax.log')}; {100 * cpu / seconds:.0f} % of a core"
     print(f"making the picture of {len(frames)} frames", flush=True)
     write_gif(frames, folder / "demo.gif")
     shutil.rmtree(frames_folder)

@@ -73,8 +73,8 @@ TEST_CASE("a pet is grabbed, carried, thrown, and flies the way the hand moved")
         CHECK(pet.velocity().x == doctest::Approx(-1500.0).epsilon(0.05));
         CHECK(pet.velocity().y == doctest::Approx(-2000.0).epsilon(0.05));
     });
+    recorded.look(3.5, [](const Daemon& daemon) { CHECK(only_pet(daemon).position().x < 500.0); });
     recorded.run();
-    CHECK(only_pet(*recorded.daemon).position().x < 700.0);
 }
 
 TEST_CASE("a press beside every pet grabs nothing") {
@@ -260,11 +260,9 @@ TEST_CASE("every shipped example runs for a minute and keeps its pets in the are
             std::string(R"({"pets": {"start": [{"count": 3}]}, "scripts": {"run": ["examples/)") + example +
             R"(.lua"]}})"
         );
-        recorded.look(30.0, [](const Daemon& daemon) {
-            CHECK(daemon.engine().size() >= 1);
-            CHECK(daemon.engine().moving());
-        });
+        recorded.look(30.0, [](const Daemon& daemon) { CHECK(daemon.engine().size() >= 1); });
         recorded.run();
+        CHECK(recorded.desktop.presents() > 600);
         CHECK(recorded.desktop.statuses().back().problem.empty());
         recorded.daemon->engine().for_each([](PetId, const Pet& pet) {
             CHECK(std::isfinite(pet.position().x));

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// The functions and fields that scripts see, as scripts/hyrax.d.lua describes them. Each api_*.cpp
+// holds one subject; open_api() puts them together.
+#pragma once
+
+#include "daemon/script/script.h"
+
+#include <lauxlib.h>
+#include <lua.h>
+
+#include <array>
+#include <concepts>
+#include <exception>
+#include <string_view>
+
+namespace hyrax::script {
+
+/// Makes the global `hyrax` and `print`. May raise a Lua error.
+void open_api(lua_State* lua);
+
+// --- the parts: each adds to the table `hyrax` on top of the stack ---
+
+void open_pet_api(lua_State* lua);
+void open_pets_api(lua_State* lua);
+void open_events_api(lua_State* lua);
+void open_time_api(lua_State* lua);
+void open_world_api(lua_State* lua);
+void open_log_api(lua_State* lua);
+
+// --- what scripts can name; a test compares it with scripts/hyrax.d.lua ---
+
+inline constexpr std::array<std::string_view, 13> pet_fields{
+    "valid", "id", "kind", "owner", "x", "y", "vx", "vy", "w", "h", "state", "tag", "facing"
+};
+inline constexpr std::array<std::string_view, 7> pet_methods{
+    "fling", "push", "stop", "reset", "move_to", "remove", "on"
+};
+inline constexpr std::array<std::string_view, 1> subscription_methods{"cancel"};
+inline constexpr std::array<std::string_view, 6> spawn_options{"kind", "x", "y", "vx", "vy", "tag"};
+inline constexpr std::array<std::string_view, 4> filter_options{"kind", "tag", "all", "near"};
+inline constexpr std::array<std::string_view, 3> near_options{"x", "y", "r"};
+
+// --- handles ---
+
+/// Pushes the handle of a pet, the same one each time. `tag` is what it reads once it is gone.
+void push_pet(lua_State* lua, PetKey key, std::string_view tag);
+/// Pushes what a handler of the event gets, and returns how many values that are.
+int push_event(lua_State* lua, const ScriptEvent& event);
+/// The same without the pet, for wait_for; `true` where nothing would be left.
+int push_outcome(lua_State* lua, const ScriptEvent& event);
+/// Lets go of handles of pets that are gone. Needs no memory and raises nothing.
+void forget_handles(lua_State* lua, const WorldView& view);
+
+/// The pet at `index`, which may be gone. Raises an error if it is no pet. `what`: "pet:fling".
+PetKey pet_argument(lua_State* lua, int index, const char* what);
+/// Raises an error if the pet is gone, or belongs to somebody else and must be left alone.
+const PetView& writable_pet(lua_State* lua, Script& script, PetKey key, const char* what);
+
+/// Pushes a handle whose cancel() ends the handler or timer.
+void push_subscription(lua_State* lua, std::uint64_t id);
+/// Adds a handler for the function at `function` and pushes its subscription.
+int add_handler(lua_State* lua, Script& script, Topic topic, PetKey pet, int function);
+/// The event named at `index`. Raises an error if there is none.
+Topic topic_argument(lua_State* lua, int index, const char* what);
+
+// --- verbs, for one pet and for many ---
+
+void fling(lua_State* lua, Script& script, PetKey pet, Vec2 velocity);
+void reset(lua_State* lua, Script& script, PetKey pet);
+void remove(lua_State* lua, Script& script, PetKey pet);
+
+using ApiFunction = int (*)(lua_State*, Script&);
+
+/// About the cost of the shortest function, 50 ns.
+inline constexpr std::int64_t call_units = 20;
+
+/// A function of the API as Lua calls it: charged for, and with C++ exceptions turned into errors.
+/// Lua's own errors are exceptions too, of a type of their own, and must pass.
+template <ApiFunction function>
+int api(lua_State* lua) {
+    Script& script = Script::of(lua);
+    script.meter.charge(lua, call_units);
+    try {
+        return function(lua, script);
+    } catch (const std::exception& problem) {
+        return luaL_error(lua, "%s", problem.what());
+    }
+}
+
+}  // namespace hyrax::script
