@@ -70,7 +70,7 @@ void open_log(const fs::path& file) {
     fs::create_directories(file.parent_path(), error);
     try {
         spdlog::set_default_logger(
-            spdlog::rotating_logger_st("hyrax", file.string(), log_bytes, old_logs)
+            spdlog::rotating_logger_st("hyrax", file.native(), log_bytes, old_logs)
         );
     } catch (const spdlog::spdlog_ex& problem) {
         // Without a log the daemon still runs.

@@ -92,13 +92,6 @@ bool is_path_pattern(std::string_view text) {
 
 }  // namespace
 
-void JsonProblems::Lines::add(std::string line) {
-    ++total;
-    if (kept.size() < most_lines) {
-        kept.push_back(std::move(line));
-    }
-}
-
 std::vector<std::string> JsonProblems::Lines::shown() const {
     std::vector<std::string> lines = kept;
     if (total > kept.size()) {
@@ -107,19 +100,25 @@ std::vector<std::string> JsonProblems::Lines::shown() const {
     return lines;
 }
 
-std::string JsonProblems::line(TextPosition at, std::string_view pointer, std::string_view text)
-    const {
-    const std::string place = place_in_file(file_, at);
-    return pointer.empty() ? fmt::format("{}: {}", place, text)
-                           : fmt::format("{}: {}: {}", place, pointer, text);
+void JsonProblems::add(
+    Lines& lines, TextPosition at, std::string_view pointer, std::string_view text
+) const {
+    ++lines.total;
+    if (lines.kept.size() == most_lines) {
+        return;
+    }
+    const std::string_view separator = pointer.empty() ? "" : ": ";
+    lines.kept.push_back(
+        fmt::format("{}: {}{}{}", place_in_file(file_, at), pointer, separator, text)
+    );
 }
 
 void JsonProblems::error(TextPosition at, std::string_view pointer, std::string_view text) {
-    errors_.add(line(at, pointer, text));
+    add(errors_, at, pointer, text);
 }
 
 void JsonProblems::warning(TextPosition at, std::string_view pointer, std::string_view text) {
-    warnings_.add(line(at, pointer, text));
+    add(warnings_, at, pointer, text);
 }
 
 Error JsonProblems::error() const {
@@ -242,16 +241,22 @@ void JsonValue::expected(std::string_view what) const {
     error(fmt::format("{}, got {}", what, what_is_there(*json_)));
 }
 
-std::string JsonValue::unknown_key(std::span<const std::string_view> known) const {
-    return "unknown key" + did_you_mean(json_->key, known);
-}
-
-void JsonValue::warn_at_key(std::string_view text) const {
-    problems_->warning(json_->key_at, pointer_, text);
-}
-
 void JsonValue::error_at_key(std::string_view text) const {
     problems_->error(json_->key_at, pointer_, text);
+}
+
+void JsonValue::warn_of_unknown_key(std::span<const std::string_view> known) const {
+    // A hostile file has a hundred thousand of them: no search for lines that nobody will see.
+    const bool wanted = problems_->keeps_warnings();
+    const std::string hint = wanted ? did_you_mean(json_->key, known) : std::string();
+    problems_->warning(json_->key_at, pointer_, "unknown key" + hint);
+}
+
+void JsonValue::refuse_misspelt_key(std::span<const std::string_view> known) const {
+    const std::string hint = did_you_mean(json_->key, known);
+    if (!hint.empty()) {
+        error_at_key("unknown key" + hint);
+    }
 }
 
 JsonValue JsonValue::child(const LocatedJson& located, std::string_view step) const {

@@ -29,6 +29,8 @@ public:
     void warning(TextPosition at, std::string_view pointer, std::string_view text);
 
     bool has_errors() const { return errors_.total != 0; }
+    /// Whether a further warning's text would be kept.
+    bool keeps_warnings() const { return warnings_.kept.size() < most_lines; }
     /// All errors, a line each.
     Error error() const;
     std::vector<std::string> warnings() const { return warnings_.shown(); }
@@ -38,11 +40,10 @@ private:
         std::vector<std::string> kept;
         std::size_t total = 0;
 
-        void add(std::string line);
         std::vector<std::string> shown() const;
     };
 
-    std::string line(TextPosition at, std::string_view pointer, std::string_view text) const;
+    void add(Lines& lines, TextPosition at, std::string_view pointer, std::string_view text) const;
 
     std::string file_;
     Lines errors_;
@@ -86,10 +87,11 @@ public:
     void error(std::string_view text) const;
     /// error("<expected>, got <what is there>")
     void expected(std::string_view what) const;
-    /// "unknown key", with the nearest of the known names; placed at the key.
-    std::string unknown_key(std::span<const std::string_view> known) const;
-    void warn_at_key(std::string_view text) const;
     void error_at_key(std::string_view text) const;
+    /// Warns of this key, which is none of the known ones, and names the nearest of them.
+    void warn_of_unknown_key(std::span<const std::string_view> known) const;
+    /// The same as an error, but only where one of the known names is near.
+    void refuse_misspelt_key(std::span<const std::string_view> known) const;
 
 private:
     JsonValue child(const LocatedJson& located, std::string_view step) const;

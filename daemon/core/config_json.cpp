@@ -125,7 +125,7 @@ void read_members(
     for (const JsonValue& member : object.children()) {
         const std::string& key = member.located().key;
         if (std::ranges::count(known, key) == 0) {
-            member.warn_at_key(member.unknown_key(known));
+            member.warn_of_unknown_key(known);
             continue;
         }
         const std::string path = prefix + "/" + key;

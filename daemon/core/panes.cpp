@@ -14,8 +14,7 @@ namespace {
 constexpr int grid = 128;
 /// Free pixels around the sprites [px]: a pane is not changed for the first steps of a walk.
 constexpr int margin = 32;
-/// Room that growth adds ahead [px]: a pet at 400 px/s then changes its pane less than twice a
-/// second.
+/// Room that growth adds ahead at least [px], for a second of a run.
 constexpr int reach = 384;
 constexpr Ticks shrink_after = ticks_per_second;
 
@@ -36,14 +35,22 @@ Rect roomy(const Rect& box, const Rect& monitor) {
     return intersection(cells, monitor);
 }
 
-/// The area, enlarged to hold the box, and further still on the sides that the box has crossed.
-Rect grown(const Rect& area, const Rect& box, const Rect& monitor) {
-    const int left = box.x < area.x ? reach : 0;
-    const int top = box.y < area.y ? reach : 0;
-    const int right = box.right() > area.right() ? reach : 0;
-    const int bottom = box.bottom() > area.bottom() ? reach : 0;
+/// How far to go beyond an edge that was crossed after it had moved so far outward in this span.
+int ahead_of(bool crossed, int moved) {
+    return crossed ? std::max(reach, 2 * moved) : 0;
+}
+
+/// The area, enlarged to hold what the pane shows, and further still where that has crossed it.
+Rect grown(const Pane& pane) {
+    const Rect& area = pane.area;
+    const Rect& box = pane.shows;
+    const Rect& from = pane.first;
+    const int left = ahead_of(box.x < area.x, from.x - box.x);
+    const int top = ahead_of(box.y < area.y, from.y - box.y);
+    const int right = ahead_of(box.right() > area.right(), box.right() - from.right());
+    const int bottom = ahead_of(box.bottom() > area.bottom(), box.bottom() - from.bottom());
     const Rect ahead{box.x - left, box.y - top, box.width + left + right, box.height + top + bottom};
-    return united(area, roomy(ahead, monitor));
+    return united(area, roomy(ahead, pane.monitor));
 }
 
 /// A quarter must be gained: the new surface and its full redraw are paid with it.
@@ -51,16 +58,29 @@ bool worth_shrinking(const Rect& area, const Rect& to) {
     return to.area() * 4 <= area.area() * 3;
 }
 
+/// What the next span will need if every edge goes on as it went in this one: without it, a pane
+/// that has just shrunk around a running pet would have to grow at once.
+Rect expected(const Pane& pane) {
+    const Rect& now = pane.shows;
+    const int left = std::min(0, now.x - pane.first.x);
+    const int top = std::min(0, now.y - pane.first.y);
+    const int right = std::max(0, now.right() - pane.first.right());
+    const int bottom = std::max(0, now.bottom() - pane.first.bottom());
+    const Rect ahead{now.x + left, now.y + top, now.width + right - left, now.height + bottom - top};
+    return united(pane.needed, ahead);
+}
+
 Pane continued(Pane pane, const Rect& shows, Ticks now) {
     pane.shows = shows;
     pane.needed = united(pane.needed, shows);
     if (!pane.area.contains(shows)) {
-        pane.area = grown(pane.area, shows, pane.monitor);
+        pane.area = grown(pane);
     } else if (now - pane.since >= shrink_after) {
-        const Rect smaller = roomy(pane.needed, pane.monitor);
+        const Rect smaller = roomy(expected(pane), pane.monitor);
         if (worth_shrinking(pane.area, smaller)) {
             pane.area = smaller;
         }
+        pane.first = shows;
         pane.needed = shows;
         pane.since = now;
     }
@@ -182,8 +202,9 @@ std::vector<Pane> plan_panes(
                 .monitor = monitor.bounds,
                 .area = roomy(shows, monitor.bounds),
                 .shows = shows,
-                .needed = shows,
                 .since = now,
+                .first = shows,
+                .needed = shows,
             });
         }
     }

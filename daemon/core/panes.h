@@ -19,8 +19,9 @@ struct Pane {
     Rect monitor;     ///< Bounds of its monitor, by which a pane is known.
     Rect area;        ///< What the window covers: never empty, within the monitor.
     Rect shows;       ///< Bounding box of the sprites at the latest plan.
-    Rect needed;      ///< Bounding box of all that was shown since `since`.
     Ticks since = 0;  ///< Start of the span after which the area may shrink.
+    Rect first;       ///< Bounding box of the sprites at `since`.
+    Rect needed;      ///< Bounding box of all that was shown since then.
 
     bool operator==(const Pane&) const = default;
 };

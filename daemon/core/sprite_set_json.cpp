@@ -32,9 +32,8 @@ using Keys = std::initializer_list<std::string_view>;
 void refuse_misspelt_keys(const JsonValue& object, Keys known) {
     const std::span<const std::string_view> names(known);
     for (const JsonValue& member : object.children()) {
-        const std::string text = member.unknown_key(names);
-        if (std::ranges::count(names, member.located().key) == 0 && text.contains("did you mean")) {
-            member.error_at_key(text);
+        if (std::ranges::count(names, member.located().key) == 0) {
+            member.refuse_misspelt_key(names);
         }
     }
 }

@@ -11,6 +11,7 @@
 #include <array>
 #include <concepts>
 #include <exception>
+#include <span>
 #include <string_view>
 
 namespace hyrax::script {
@@ -29,13 +30,12 @@ void open_log_api(lua_State* lua);
 
 // --- what scripts can name; a test compares it with scripts/hyrax.d.lua ---
 
-inline constexpr std::array<std::string_view, 13> pet_fields{
-    "valid", "id", "kind", "owner", "x", "y", "vx", "vy", "w", "h", "state", "tag", "facing"
+inline constexpr std::array<std::string_view, 20> pet_members{
+    "valid", "id",  "kind",   "owner", "x",    "y",    "vx",    "vy",      "w",      "h",
+    "state", "tag", "facing", "fling", "push", "stop", "reset", "move_to", "remove", "on"
 };
-inline constexpr std::array<std::string_view, 7> pet_methods{
-    "fling", "push", "stop", "reset", "move_to", "remove", "on"
-};
-inline constexpr std::array<std::string_view, 1> subscription_methods{"cancel"};
+/// Those that are read like values.
+inline constexpr std::span<const std::string_view> pet_fields = std::span(pet_members).first(13);
 inline constexpr std::array<std::string_view, 6> spawn_options{"kind", "x", "y", "vx", "vy", "tag"};
 inline constexpr std::array<std::string_view, 4> filter_options{"kind", "tag", "all", "near"};
 inline constexpr std::array<std::string_view, 3> near_options{"x", "y", "r"};

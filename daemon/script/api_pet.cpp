@@ -86,7 +86,7 @@ int pet_index(lua_State* lua, Script& script) {
     }
     const std::string_view field(lua_tostring(lua, 2), lua_rawlen(lua, 2));
     if (std::ranges::find(pet_fields, field) == pet_fields.end()) {
-        unknown_name(lua, "pet", "field", field, pet_fields);
+        unknown_name(lua, "pet", "field", field, pet_members);
     }
     const PetView* const pet = script.view.find(handle.key);
     if (field == "valid") {

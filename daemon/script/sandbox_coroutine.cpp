@@ -6,6 +6,8 @@
 
 #include <lauxlib.h>
 
+#include <string_view>
+
 namespace hyrax::script {
 namespace {
 
@@ -84,8 +86,13 @@ int raise_from(lua_State* lua, lua_State* thread) {
     }
     if (status != LUA_ERRMEM && lua_type(lua, -1) == LUA_TSTRING) {
         luaL_where(lua, 1);
+        const std::string_view where(lua_tostring(lua, -1), lua_rawlen(lua, -1));
+        const std::string_view message(lua_tostring(lua, -2), lua_rawlen(lua, -2));
         lua_insert(lua, -2);
-        lua_concat(lua, 2);
+        // Once is enough, however deep the recursion was.
+        if (!message.starts_with(where)) {
+            lua_concat(lua, 2);
+        }
     }
     return lua_error(lua);
 }

@@ -6,7 +6,6 @@
 #include "daemon/core/ticks.h"
 #include "daemon/win32/debounce.h"
 
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -26,7 +25,7 @@ public:
     void hint(Ticks now) {
         hints_.hint(now);
         again_at_ = never;
-        candidate_.reset();
+        candidate_.clear();
     }
     /// When to read the monitors and call `settle`; `never` while nothing happens.
     Ticks due() const { return std::min(hints_.due(), again_at_); }
@@ -40,7 +39,7 @@ public:
             return false;
         }
         if (reading == current_) {
-            candidate_.reset();
+            candidate_.clear();
             return false;
         }
         if (candidate_ != reading) {
@@ -48,8 +47,7 @@ public:
             again_at_ = now + confirm_after;
             return false;
         }
-        current_ = std::move(*candidate_);
-        candidate_.reset();
+        current_ = std::exchange(candidate_, {});
         return true;
     }
 
@@ -60,7 +58,7 @@ private:
     static constexpr Ticks retry_after = ticks_per_second;
 
     std::vector<Monitor> current_;
-    std::optional<std::vector<Monitor>> candidate_;
+    std::vector<Monitor> candidate_;  ///< Seen once; empty if none.
     Debounce hints_{300 * ticks_per_ms, 2 * ticks_per_second};
     Ticks again_at_ = never;
 };

@@ -14,6 +14,8 @@ namespace {
 constexpr DWORD pane_style =
     WS_EX_LAYERED | WS_EX_TOPMOST | WS_EX_TOOLWINDOW | WS_EX_NOACTIVATE;
 
+constexpr const wchar_t* not_rude = L"NonRudeHWND";
+
 }  // namespace
 
 Result<std::unique_ptr<PaneWindow>> PaneWindow::create(
@@ -29,8 +31,14 @@ Result<std::unique_ptr<PaneWindow>> PaneWindow::create(
     pane->window_ = std::move(*window);
     // Must be there before the window is first shown. Without it Explorer takes a pane that covers
     // a monitor for a full-screen program and lowers the taskbar.
-    ::SetPropW(pane->window(), L"NonRudeHWND", pane->window());
+    ::SetPropW(pane->window(), not_rude, reinterpret_cast<HANDLE>(INT_PTR{TRUE}));
     return pane;
+}
+
+PaneWindow::~PaneWindow() {
+    if (window_) {
+        ::RemovePropW(window(), not_rude);
+    }
 }
 
 void PaneWindow::show(

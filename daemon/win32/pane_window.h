@@ -31,6 +31,10 @@ public:
         const Rect& monitor, MessageHandler& handler
     );
 
+    PaneWindow(const PaneWindow&) = delete;
+    PaneWindow& operator=(const PaneWindow&) = delete;
+    ~PaneWindow();
+
     const Rect& monitor() const { return monitor_; }
     HWND window() const { return window_.raw(); }
     bool visible() const { return visible_; }

@@ -341,6 +341,9 @@ class VirtualDesktop:
         except RuntimeError:
             return False  # it went meanwhile
 
+    def hide(self, window):
+        self.run("xdotool", "windowunmap", window.id)
+
     def shape(self, window):
         """(x, y, width, height) around what takes clicks; the whole window where it has no shape."""
         text = self.run("xwininfo", "-id", window.id, "-shape").decode(errors="replace")

@@ -24,8 +24,9 @@ std::string outcome(const std::string& text, FakeWorld& world) {
     return world.errors();
 }
 
+// A part of the usual budget of a main chunk: what does not end does so sooner.
 std::string outcome(const std::string& text) {
-    FakeWorld world;
+    FakeWorld world(ScriptLimits{.load_units = 4'000'000});
     return outcome(text, world);
 }
 
@@ -109,7 +110,7 @@ TEST_CASE("no code of a killed script runs afterwards") {
 TEST_CASE("a handler that hangs is stopped with the budget of a callback") {
     FakeWorld world;
     const PetKey pet = world.add_pet();
-    world.load("hyrax.on('click', function()\nwhile true do pcall(error) end end)");
+    world.load("hyrax.on('click', function()\nwhile true do end end)");
     CHECK(world.errors() == "");
     world.happens({.kind = EventKind::click}, pet);
     world.run();

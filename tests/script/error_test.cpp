@@ -17,7 +17,7 @@ TEST_CASE("an error names file and line, then the calls that led there") {
     );
     CHECK(
         world.errors() == "fountain.lua:2: boom\n"
-                          "    in function 'error'\n"
+                          "    in global 'error'\n"
                           "    fountain.lua:2: in upvalue 'inner'\n"
                           "    fountain.lua:5: in local 'outer'\n"
                           "    fountain.lua:7: in main chunk\n"
@@ -149,7 +149,7 @@ TEST_CASE("print and log write what they are given") {
     CHECK(world.said() == "a 1 true nil mine\n5 of six\n100 %\n42\n");
     CHECK(world.lines(LogLevel::warning) == "careful\n");
     CHECK(world.errors() == "bad\n");
-    CHECK(errors_of("hyrax.log.info('%d', 'x')").contains("bad argument #2 to 'format'"));
+    CHECK(errors_of("hyrax.log.info('%d', 'x')").contains("bad argument #2 to 'string.format'"));
 }
 
 TEST_CASE("log lines are limited in length and number") {

@@ -19,15 +19,15 @@ std::string example(const std::string& name) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-Monitor monitor(Rect bounds) {
-    return {.bounds = bounds, .work = bounds, .primary = true, .name = ""};
+Monitor monitor(Rect bounds, bool primary = true) {
+    return {.bounds = bounds, .work = bounds, .primary = primary, .name = ""};
 }
 
 std::vector<std::vector<Monitor>> arenas() {
     return {
         FakeWorld().world.monitors,
         {monitor({0, 0, 640, 480})},
-        {monitor({-3840, -2160, 3840, 2160}), monitor({0, 0, 800, 600})},
+        {monitor({-3840, -2160, 3840, 2160}), monitor({0, 0, 800, 600}, false)},
         {},
     };
 }

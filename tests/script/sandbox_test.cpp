@@ -125,7 +125,7 @@ TEST_CASE("table functions behave as Lua's") {
         assert(table.remove(t, 1) == 0 and table.remove(t) == 4 and #t == 3)
         assert(table.remove({}) == nil and table.remove(t, 4) == nil)
         assert(not pcall(table.insert, t, 9, 1) and not pcall(table.insert, t) and not pcall(table.remove, t, 9))
-        assert(select(2, pcall(table.insert, 5, 1)):find("bad argument #1 to 'insert'"))
+        assert(select(2, pcall(table.insert, 5, 1)):find("bad argument #1 to 'table.insert'"))
         table.sort(t, function(a, b) return a > b end) assert(t[1] == 3)
         table.sort(t) assert(t[1] == 1)
         assert(not pcall(table.sort, { 1, "x" }))

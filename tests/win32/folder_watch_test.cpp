@@ -32,7 +32,6 @@ void write(const fs::path& file) {
     std::ofstream(file) << "text";
 }
 
-/// How many changes are reported within the span.
 int changes_within(FolderWatch& watch, Ticks span) {
     int changes = 0;
     for (const Ticks end = clock_now() + span; clock_now() < end;) {
@@ -40,6 +39,16 @@ int changes_within(FolderWatch& watch, Ticks span) {
         changes += watch.check(clock_now()) ? 1 : 0;
     }
     return changes;
+}
+
+/// Waits for a change, patiently for the sake of busy machines, and that it is the only one.
+bool changes_once(FolderWatch& watch) {
+    for (int i = 0; i < 50; ++i) {
+        if (const int changes = changes_within(watch, 200 * ticks_per_ms)) {
+            return changes + changes_within(watch, 600 * ticks_per_ms) == 1;
+        }
+    }
+    return false;
 }
 
 }  // namespace
@@ -53,10 +62,10 @@ TEST_CASE("a burst of writes is one change, in folders below as well") {
     write(folder.path / "config.json.new");
     fs::rename(folder.path / "config.json.new", folder.path / "config.json");
     write(folder.path / "config.json");
-    CHECK(changes_within(watch, 800 * ticks_per_ms) == 1);
+    CHECK(changes_once(watch));
 
     write(folder.path / "scripts" / "a.lua");
-    CHECK(changes_within(watch, 800 * ticks_per_ms) == 1);
+    CHECK(changes_once(watch));
 }
 
 TEST_CASE("what is ignored is ignored, whatever its case") {
@@ -71,16 +80,16 @@ TEST_CASE("a folder that goes and comes back is watched again") {
     write(folder.path / "config.json");
     FolderWatch watch(folder.path, {L"logs"}, clock_now());
     fs::remove_all(folder.path);
-    CHECK(changes_within(watch, 800 * ticks_per_ms) == 1);
+    CHECK(changes_once(watch));
     fs::create_directories(folder.path);
-    CHECK(changes_within(watch, 3 * ticks_per_second) == 1);
+    CHECK(changes_once(watch));
     write(folder.path / "config.json");
-    CHECK(changes_within(watch, 800 * ticks_per_ms) == 1);
+    CHECK(changes_once(watch));
 }
 
 TEST_CASE("a folder that is not there yet is found") {
     const TestFolder folder;
     FolderWatch watch(folder.path / "later", {}, clock_now());
     fs::create_directories(folder.path / "later");
-    CHECK(changes_within(watch, 3 * ticks_per_second) == 1);
+    CHECK(changes_once(watch));
 }

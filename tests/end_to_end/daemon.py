@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+"""hyrax.exe on a virtual desktop, seen through its trace, its log and the screen."""
+
+import csv
+import io
+import json
+import re
+import time
+
+import desktop
+
+
+class Daemon:
+    """Started with a profile of its own; `config` is config.json as a dict or as text."""
+
+    def __init__(self, desk, exe, config, scripts=(), arguments=()):
+        self.desk, self.exe = desk, exe
+        number = len(list(desk.folder.glob("profile-*")))
+        self.profile = desk.folder / f"profile-{number}"
+        (self.profile / "scripts").mkdir(parents=True)
+        for name, text in dict(scripts).items():
+            (self.profile / "scripts" / name).write_text(text)
+        self.write_config(config)
+        self.trace_file = desk.folder / f"trace-{number}.csv"
+        self.program = desk.start(
+            exe, "--profile", windows_path(self.profile), "--trace", windows_path(self.trace_file),
+            "--for-testing", *arguments,
+        )  # fmt: skip
+        desktop.wait_for(lambda: self.log_text() or not self.program.running, 60, "the log")
+
+    def write_config(self, config):
+        text = config if isinstance(config, str) else json.dumps(config)
+        (self.profile / "config.json").write_text(text)
+
+    def second_start(self, *arguments):
+        """Another start on the same profile; returns its exit code."""
+        program = self.desk.start(self.exe, "--profile", windows_path(self.profile), *arguments)
+        return program.wait(30)
+
+    def log_text(self):
+        try:
+            return (self.profile / "hyrax.log").read_text(encoding="utf-8", errors="replace")
+        except FileNotFoundError:
+            return ""
+
+    def wait_for_log(self, pattern, seconds=20):
+        return desktop.wait_for(
+            lambda: re.search(pattern, self.log_text(), re.MULTILINE), seconds, f"{pattern!r} in {self.log_text()}"
+        )
+
+    # --- the trace ----------------------------------------------------------------------------
+
+    def rows(self):
+        """All frames so far: dicts with numbers."""
+        try:
+            text = self.trace_file.read_text()
+        except FileNotFoundError:
+            return []
+        complete = text[: text.rfind("\n") + 1]
+        rows = list(csv.DictReader(io.StringIO(complete)))
+        for row in rows:
+            for key in ("time", "x", "y", "vx", "vy"):
+                row[key] = float(row[key])
+        return rows
+
+    def pets(self):
+        """The last frame: rows of the pets in it."""
+        rows = self.rows()
+        return [row for row in rows if row["time"] == rows[-1]["time"]]
+
+    def wait_for_pets(self, condition, seconds=30, what="pets"):
+        """The last frame's rows, once the condition holds for them."""
+
+        def holds():
+            pets = self.pets()
+            return pets if condition(pets) else None
+
+        return desktop.wait_for(holds, seconds, what, step=0.1)
+
+    def wait_for_rest(self, count=1):
+        def resting(pets):
+            return len(pets) == count and all(p["motion"] == "settled" and p["vx"] == 0 for p in pets)
+
+        pets = self.wait_for_pets(resting, 40, f"{count} pets at rest")
+        time.sleep(0.3)  # the picture follows the trace
+        return pets
+
+    def end(self):
+        self.program.end()
+
+
+def windows_path(path):
+    """Wine shows the root folder as drive Z."""
+    return "Z:" + str(path).replace("/", "\\")

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: MIT
+"""hyrax.exe under Wine with real X events: what a user does, and what must come of it.
+
+Usage: test_daemon.py hyrax.exe window_probe.exe
+"""
+
+import sys
+import time
+import unittest
+from pathlib import Path
+
+import desktop
+from daemon import Daemon
+
+EXE = PROBE = None
+
+# The second one lies left of and above the primary, the third one is smaller.
+MONITORS = [(1280, 720, 0, 0), (1024, 768, -1024, -120), (800, 600, 1280, 200)]
+WALLPAPER = (0x20, 0x40, 0x60)
+
+# The shipped sprite's box and, within it, a place that is fur in every pose and one that is air.
+BOX = (108, 92)
+FUR = (50, 70)
+AIR = (3, 3)
+
+
+def start(x, y, **pet):
+    return {"pets": {"start": [{"x": x, "y": y, **pet}], "drowsy_after": 60}}
+
+
+class OnThreeMonitors(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.desk = cls.enterClassContext(desktop.VirtualDesktop(MONITORS, wallpaper="#%02x%02x%02x" % WALLPAPER))
+
+    def daemon(self, config, **options):
+        daemon = Daemon(self.desk, EXE, config, **options)
+        self.addCleanup(daemon.end)
+        return daemon
+
+    def test_a_pet_is_grabbed_thrown_and_flies_the_way_the_hand_moved(self):
+        daemon = self.daemon(start(-600, 400))
+        (pet,) = daemon.wait_for_rest()
+        self.assertEqual((pet["x"], pet["y"]), (-600, 648 - BOX[1]))
+        grip = (pet["x"] + FUR[0], pet["y"] + FUR[1])
+        self.desk.drag([(grip[0] - 15 * i, grip[1] - 20 * i) for i in range(11)], seconds=0.2)
+        thrown = daemon.wait_for_pets(lambda pets: pets and pets[0]["motion"] == "airborne", 10, "the throw")
+        self.assertLess(thrown[0]["vx"], -200)
+        rows = daemon.rows()
+        last_held = max(i for i, row in enumerate(rows) if row["motion"] == "held")
+        self.assertAlmostEqual(rows[last_held]["x"], pet["x"] - 150, delta=40)
+        first = rows[last_held + 1]
+        self.assertLess(first["vy"], -200)
+        # Three to four, as the hand went.
+        self.assertAlmostEqual(first["vx"] / first["vy"], 0.75, delta=0.35)
+        daemon.wait_for_rest()
+
+    def test_a_pet_is_carried_to_another_monitor(self):
+        daemon = self.daemon(start(-150, 400))
+        (pet,) = daemon.wait_for_rest()
+        grip = (pet["x"] + FUR[0], pet["y"] + FUR[1])
+        goal = (300, 300)
+        steps = [(grip[0] + (goal[0] - grip[0]) * i / 20, grip[1] + (goal[1] - grip[1]) * i / 20) for i in range(21)]
+        self.desk.drag([*steps, *[(goal[0], goal[1] + i % 2) for i in range(8)]], seconds=1.0)
+        (pet,) = daemon.wait_for_rest()
+        self.assertEqual(pet["y"], 720 - BOX[1])
+        self.assertGreater(pet["x"], 0)
+
+    def test_a_click_beside_the_pet_reaches_the_window_below(self):
+        # First the window below: without a window manager, X puts the latest one on top.
+        probe = self.desk.start(PROBE, 400, 500, 300, 220)
+        self.addCleanup(probe.end)
+        probe.wait_for_text("^ready$", 30)
+        daemon = self.daemon(start(500, 600))
+        (pet,) = daemon.wait_for_rest()
+        for beside in ((pet["x"] + AIR[0], pet["y"] + AIR[1]), (pet["x"] - 60, pet["y"] + 40)):
+            self.desk.click(*beside)
+            probe.wait_for_text(f"^up {int(beside[0])} {int(beside[1])}$")
+        heard = probe.text().count("down")
+        self.desk.click(pet["x"] + FUR[0], pet["y"] + FUR[1], hold=0.5)
+        daemon.wait_for_pets(lambda pets: any(row["motion"] == "held" for row in daemon.rows()), 10, "the grab")
+        self.assertEqual(probe.text().count("down"), heard)
+
+    def test_the_picture_stands_where_the_trace_says_on_every_monitor(self):
+        before = self.desk.screenshot()
+        places = [(100, 500), (-900, 300), (1700, 400)]
+        daemon = self.daemon({"pets": {"start": [{"x": x, "y": y} for x, y in places], "drowsy_after": 60}})
+        pets = daemon.wait_for_rest(3)
+        picture = self.desk.screenshot()
+        for pet in pets:
+            x, y = int(pet["x"]), int(pet["y"])
+            self.assertNotEqual(picture[x + FUR[0], y + FUR[1]], WALLPAPER)
+            self.assertEqual(picture[x + AIR[0], y + AIR[1]], WALLPAPER)
+            around = (x - 20, y - 30, BOX[0] + 40, BOX[1] + 30)
+            _, top, width, height = picture.crop(*around).changed_box(before.crop(*around))
+            # The feet stand on the box's bottom.
+            self.assertAlmostEqual(top + height, y + BOX[1], delta=1)
+            self.assertGreater(width, 80)
+
+    def test_editing_gravity_changes_the_next_second(self):
+        config = {"physics": {"gravity": 0, "air_drag": 1}, **start(300, 300, vx=0.0, vy=0.0)}
+        config["pets"]["start"][0]["vx"] = 40
+        daemon = self.daemon(config)
+        daemon.wait_for_pets(lambda pets: pets and pets[0]["x"] > 310, 20, "the pet to drift")
+        self.assertEqual(daemon.pets()[0]["y"], 300)
+        config["physics"]["gravity"] = 800
+        daemon.write_config(config)
+        daemon.wait_for_pets(lambda pets: pets[0]["vy"] > 100, 10, "the pet to fall")
+        falling = [row for row in daemon.rows() if row["vy"] > 0]
+        self.assertLess(falling[0]["vy"], 60)
+        # A broken file keeps the pet falling by the last good law.
+        daemon.write_config('{"physics": {"gravity": ')
+        daemon.wait_for_log(r"config\.json:1:\d+: ")
+        daemon.wait_for_rest()
+
+    def test_a_second_start_hands_its_arguments_over(self):
+        daemon = self.daemon(start(300, 300))
+        daemon.wait_for_pets(lambda pets: len(pets) == 1)
+        begin = time.monotonic()
+        self.assertEqual(daemon.second_start("--spawn", "2"), 0)
+        self.assertLess(time.monotonic() - begin, 10)
+        daemon.wait_for_pets(lambda pets: len(pets) == 3, 10, "three pets")
+        self.assertEqual(daemon.second_start(), 0)
+        daemon.wait_for_pets(lambda pets: len(pets) == 4, 10, "four pets")
+        self.assertEqual(daemon.second_start("--quit"), 0)
+        self.assertEqual(daemon.program.wait(10), 0)
+
+    def test_a_script_spawns_and_throws(self):
+        script = "local p = hyrax.spawn{ x = 400, y = 300 } hyrax.after(0.5, function() p:fling(-300, -400) end)"
+        daemon = self.daemon({"pets": {"start": []}}, scripts={"throw.lua": script})
+        daemon.wait_for_pets(lambda pets: pets and pets[0]["vx"] < -100, 20, "the fling")
+
+    def test_nothing_wakes_the_daemon_when_all_rest(self):
+        daemon = self.daemon({"pets": {"start": [{"x": 300, "y": 600}], "drowsy_after": 0}})
+        daemon.wait_for_rest()
+        time.sleep(22)  # six breaths, then it lies still
+        frames = len(daemon.rows())
+        before = {thread.id: thread.wakeups for thread in daemon.program.threads()}
+        time.sleep(10)
+        woken = sum(t.wakeups - before.get(t.id, 0) for t in daemon.program.threads())
+        self.assertLessEqual(woken, 2)
+        self.assertEqual(len(daemon.rows()), frames)
+
+    def test_bad_profiles_do_not_stop_the_daemon(self):
+        for config in ("", '{"physics": {"restitution": 7}}', "[" * 10_000, "\udcff".encode(errors="surrogateescape").decode("latin-1")):
+            with self.subTest(config=config[:30]):
+                daemon = self.daemon(config)
+                daemon.wait_for_log(r"config\.json:1:\d+: |config\.json: ")
+                daemon.wait_for_pets(lambda pets: len(pets) >= 1, 20, "the default pet")
+                self.assertEqual(daemon.second_start("--quit"), 0)
+                self.assertEqual(daemon.program.wait(10), 0)
+
+
+if __name__ == "__main__":
+    EXE, PROBE = (Path(argument).resolve() for argument in sys.argv[1:3])
+    del sys.argv[1:3]
+    unittest.main(verbosity=2)
