@@ -23,9 +23,9 @@ constexpr std::array config_keys{
     Field<Config>{
         "/physics/gravity",
         [](Config& c) -> Slot { return &c.engine.physics.gravity; },
-        {-1e9, 1e9},
+        {0.0, 1e9},
         "px/s^2",
-        "Downward acceleration. Negative values make pets fall upwards."
+        "Downward acceleration. 0 lets pets float."
     },
     Field<Config>{
         "/physics/restitution",

@@ -31,7 +31,9 @@ constexpr int snapped_up(int value) {
 Rect roomy(const Rect& box, const Rect& monitor) {
     const int x = snapped_down(box.x - margin);
     const int y = snapped_down(box.y - margin);
-    const Rect cells{x, y, snapped_up(box.right() + margin) - x, snapped_up(box.bottom() + margin) - y};
+    const Rect cells{
+        x, y, snapped_up(box.right() + margin) - x, snapped_up(box.bottom() + margin) - y
+    };
     return intersection(cells, monitor);
 }
 
@@ -49,7 +51,9 @@ Rect grown(const Pane& pane) {
     const int top = ahead_of(box.y < area.y, from.y - box.y);
     const int right = ahead_of(box.right() > area.right(), box.right() - from.right());
     const int bottom = ahead_of(box.bottom() > area.bottom(), box.bottom() - from.bottom());
-    const Rect ahead{box.x - left, box.y - top, box.width + left + right, box.height + top + bottom};
+    const Rect ahead{
+        box.x - left, box.y - top, box.width + left + right, box.height + top + bottom
+    };
     return united(area, roomy(ahead, pane.monitor));
 }
 
@@ -66,7 +70,9 @@ Rect expected(const Pane& pane) {
     const int top = std::min(0, now.y - pane.first.y);
     const int right = std::max(0, now.right() - pane.first.right());
     const int bottom = std::max(0, now.bottom() - pane.first.bottom());
-    const Rect ahead{now.x + left, now.y + top, now.width + right - left, now.height + bottom - top};
+    const Rect ahead{
+        now.x + left, now.y + top, now.width + right - left, now.height + bottom - top
+    };
     return united(pane.needed, ahead);
 }
 
@@ -164,8 +170,8 @@ std::vector<Rect> changed_cast(const Frame& before, const Frame& after) {
     std::size_t in_order_from = 0;
     for (const Sprite& sprite : after.sprites) {
         const auto found = places_before.find(key_of(sprite.pet));
-        if (found != places_before.end() && found->second >= in_order_from
-            && before.sprites[found->second] == sprite) {
+        if (found != places_before.end() && found->second >= in_order_from &&
+            before.sprites[found->second] == sprite) {
             in_order_from = found->second + 1;
             unchanged[found->second] = true;
         } else {

@@ -26,13 +26,24 @@ std::string function_name(const lua_Debug& call) {
     return fmt::format("in function <{}:{}>", call.short_src, call.linedefined);
 }
 
+// Lua walks from the innermost call to the one asked for, and recursions have 200 000 of them: looks
+// at few.
 int depth_of(lua_State* lua, int level) {
-    lua_Debug call{};
-    int depth = 0;
-    while (lua_getstack(lua, level + depth, &call) != 0) {
-        ++depth;
+    const auto exists = [lua, level](int depth) {
+        lua_Debug call{};
+        return lua_getstack(lua, level + depth, &call) != 0;
+    };
+    int below = 0;
+    int above = 1;
+    while (exists(above - 1)) {
+        below = above;
+        above *= 2;
     }
-    return depth;
+    while (below + 1 < above) {
+        const int middle = below + (above - below) / 2;
+        (exists(middle - 1) ? below : above) = middle;
+    }
+    return below;
 }
 
 }  // namespace

@@ -8,7 +8,10 @@ namespace hyrax::win32 {
 void AboutBox::open() {
     if (!box_) {
         box_ = Window(::CreateDialogParamW(
-            ::GetModuleHandleW(nullptr), MAKEINTRESOURCEW(HYRAX_ABOUT), nullptr, procedure,
+            ::GetModuleHandleW(nullptr),
+            MAKEINTRESOURCEW(HYRAX_ABOUT),
+            nullptr,
+            procedure,
             reinterpret_cast<LPARAM>(this)
         ));
     }

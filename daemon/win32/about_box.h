@@ -21,7 +21,8 @@ public:
     bool takes(MSG& message) const;
 
 private:
-    static INT_PTR CALLBACK procedure(HWND box, UINT message, WPARAM wparam, LPARAM lparam) noexcept;
+    static INT_PTR CALLBACK
+    procedure(HWND box, UINT message, WPARAM wparam, LPARAM lparam) noexcept;
 
     HWND owner_;
     UINT message_;

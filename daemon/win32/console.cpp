@@ -11,7 +11,8 @@ namespace {
 bool write_to(HANDLE output, std::string_view text) {
     DWORD written = 0;
     return output != nullptr && output != INVALID_HANDLE_VALUE &&
-           ::WriteFile(output, text.data(), static_cast<DWORD>(text.size()), &written, nullptr) != 0;
+           ::WriteFile(output, text.data(), static_cast<DWORD>(text.size()), &written, nullptr) !=
+               0;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hyrax::win32 {
@@ -31,19 +32,20 @@ public:
     bool check(Ticks now);
 
 private:
-    void open(Ticks now);
-    void close(Ticks now);
-    void ask(Ticks now);
-    void read_answer(Ticks now);
-    bool concerns_us(std::size_t bytes) const;
+    struct Watched;  ///< A folder's handle, and what the system writes to while it watches.
 
-    struct Request;  ///< What the system writes to while it watches.
+    void open();
+    void close();
+    void add(const std::filesystem::path& folder, bool is_top);
+    void read_answers(Ticks now);
+    bool read_answer(Watched& watched, Ticks now);
+    bool concerns_us(const Watched& watched, std::size_t bytes) const;
+    bool is_ignored(std::wstring_view path) const;
 
     std::filesystem::path folder_;
     std::vector<std::wstring> ignored_;
     KernelObject ready_;
-    KernelObject handle_;
-    std::unique_ptr<Request> request_;
+    std::vector<std::unique_ptr<Watched>> watched_;  ///< The folder itself first.
     Debounce changes_{200 * ticks_per_ms, 2 * ticks_per_second};
     Ticks look_again_ = never;
 };

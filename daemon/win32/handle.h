@@ -3,8 +3,8 @@
 // Close*, Destroy*, Delete*, Release* or Free*, except for pairs that have a class of their own.
 #pragma once
 
-#include <objbase.h>
 #include <windows.h>
+#include <objbase.h>
 
 #include <memory>
 #include <utility>

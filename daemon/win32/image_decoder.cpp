@@ -37,22 +37,25 @@ bool copy_pixels(Gdiplus::Bitmap& bitmap, Image& image) {
     data.PixelFormat = PixelFormat32bppPARGB;
     data.Scan0 = image.pixels.data();
     constexpr UINT mode = Gdiplus::ImageLockModeRead | Gdiplus::ImageLockModeUserInputBuf;
-    return bitmap.LockBits(&all, mode, PixelFormat32bppPARGB, &data) == Gdiplus::Ok
-           && bitmap.UnlockBits(&data) == Gdiplus::Ok;
+    return bitmap.LockBits(&all, mode, PixelFormat32bppPARGB, &data) == Gdiplus::Ok &&
+           bitmap.UnlockBits(&data) == Gdiplus::Ok;
 }
 
 Result<Image> decode(std::span<const std::byte> file) {
     if (file.size() > max_image_file_bytes) {
-        return failure("the file is larger than " + std::to_string(max_image_file_bytes >> 20U) + " MiB");
+        return failure(
+            "the file is larger than " + std::to_string(max_image_file_bytes >> 20U) + " MiB"
+        );
     }
     const std::optional<Size> size = png_size(file);
     if (!size) {
         return failure("not a PNG file");
     }
-    if (size->width < 1 || size->height < 1 || size->width > max_image_side || size->height > max_image_side) {
+    if (size->width < 1 || size->height < 1 || size->width > max_image_side ||
+        size->height > max_image_side) {
         return failure(
-            "the picture has " + std::to_string(size->width) + "x" + std::to_string(size->height)
-            + " pixels; allowed are 1 to " + std::to_string(max_image_side) + " on each side"
+            "the picture has " + std::to_string(size->width) + "x" + std::to_string(size->height) +
+            " pixels; allowed are 1 to " + std::to_string(max_image_side) + " on each side"
         );
     }
     // GDI+ reads from the stream until the bitmap is gone.
@@ -61,8 +64,9 @@ Result<Image> decode(std::span<const std::byte> file) {
         return failure("out of memory");
     }
     Gdiplus::Bitmap bitmap(stream.get(), FALSE);
-    if (bitmap.GetLastStatus() != Gdiplus::Ok || bitmap.GetWidth() != static_cast<UINT>(size->width)
-        || bitmap.GetHeight() != static_cast<UINT>(size->height)) {
+    if (bitmap.GetLastStatus() != Gdiplus::Ok ||
+        bitmap.GetWidth() != static_cast<UINT>(size->width) ||
+        bitmap.GetHeight() != static_cast<UINT>(size->height)) {
         return failure("the PNG file is damaged");
     }
     Image image(*size);

@@ -3,8 +3,9 @@
 
 #include "daemon/win32/text.h"
 
-#include <exception>
 #include <spdlog/spdlog.h>
+
+#include <exception>
 
 namespace hyrax::win32 {
 
@@ -48,8 +49,18 @@ Result<Window> create_window(const WindowPlan& plan, MessageHandler& handler) {
         return std::unexpected(system_error("cannot register a window class"));
     }
     Window window(::CreateWindowExW(
-        plan.extended_style, plan.class_name, plan.title.c_str(), plan.style, 0, 0, 0, 0, nullptr,
-        nullptr, kind.hInstance, &handler
+        plan.extended_style,
+        plan.class_name,
+        plan.title.c_str(),
+        plan.style,
+        0,
+        0,
+        0,
+        0,
+        nullptr,
+        nullptr,
+        kind.hInstance,
+        &handler
     ));
     if (!window) {
         return std::unexpected(system_error("cannot create a window"));

@@ -15,7 +15,8 @@ namespace hyrax::win32 {
 /// the secure desktop shows, or the old sizes. So a reading counts when it was seen twice.
 class MonitorWatch {
 public:
-    explicit MonitorWatch(std::vector<Monitor> at_start, Ticks now) : current_(std::move(at_start)) {
+    explicit MonitorWatch(std::vector<Monitor> at_start, Ticks now)
+        : current_(std::move(at_start)) {
         if (current_.empty()) {
             again_at_ = now + retry_after;
         }

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/win32/overlay.h"
 
-#include <algorithm>
+#include "daemon/win32/process.h"
+
 #include <spdlog/spdlog.h>
+
+#include <algorithm>
 
 namespace hyrax::win32 {
 
 namespace {
-
-bool is_wine() {
-    const HMODULE ntdll = ::GetModuleHandleW(L"ntdll.dll");
-    return ntdll != nullptr && ::GetProcAddress(ntdll, "wine_get_version") != nullptr;
-}
 
 std::vector<Rect> places_of(const Frame& frame) {
     std::vector<Rect> places;
@@ -30,7 +28,7 @@ PresentCost cost_on(const Rect& pane, bool wine) {
 
 }  // namespace
 
-Overlay::Overlay(MessageHandler& handler) : handler_(handler), wine_(is_wine()) {}
+Overlay::Overlay(MessageHandler& handler) : handler_(handler), wine_(runs_under_wine()) {}
 
 void Overlay::present(const Frame& frame, std::span<const Monitor> monitors, Ticks now) {
     if (frame == frame_ && !undrawn_ && now < due()) {
@@ -77,18 +75,20 @@ void Overlay::retire_windows(const Frame& frame, std::span<const Monitor> monito
             return false;
         }
         window->hide();
-        return frame.sprites.empty()
-               || std::ranges::find(monitors, window->monitor(), &Monitor::bounds) == monitors.end();
+        return frame.sprites.empty() ||
+               std::ranges::find(monitors, window->monitor(), &Monitor::bounds) == monitors.end();
     });
 }
 
 PaneWindow* Overlay::find(HWND window) const {
-    const auto found = std::ranges::find(windows_, window, [](const auto& pane) { return pane->window(); });
+    const auto found =
+        std::ranges::find(windows_, window, [](const auto& pane) { return pane->window(); });
     return found != windows_.end() ? found->get() : nullptr;
 }
 
 PaneWindow* Overlay::window_on(const Rect& monitor) {
-    const auto found = std::ranges::find(windows_, monitor, [](const auto& pane) { return pane->monitor(); });
+    const auto found =
+        std::ranges::find(windows_, monitor, [](const auto& pane) { return pane->monitor(); });
     if (found != windows_.end()) {
         return found->get();
     }

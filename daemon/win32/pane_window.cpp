@@ -3,16 +3,16 @@
 
 #include "daemon/core/blit.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <cstddef>
-#include <spdlog/spdlog.h>
 
 namespace hyrax::win32 {
 
 namespace {
 
-constexpr DWORD pane_style =
-    WS_EX_LAYERED | WS_EX_TOPMOST | WS_EX_TOOLWINDOW | WS_EX_NOACTIVATE;
+constexpr DWORD pane_style = WS_EX_LAYERED | WS_EX_TOPMOST | WS_EX_TOOLWINDOW | WS_EX_NOACTIVATE;
 
 constexpr const wchar_t* not_rude = L"NonRudeHWND";
 
@@ -107,12 +107,17 @@ bool PaneWindow::present(const Rect* dirty, OverlayCounters& counters) {
         update.pptDst = &at;
         update.psize = &size;
     } else {
-        part = {dirty->x - area_.x, dirty->y - area_.y, dirty->right() - area_.x,
-                dirty->bottom() - area_.y};
+        part = {
+            dirty->x - area_.x,
+            dirty->y - area_.y,
+            dirty->right() - area_.x,
+            dirty->bottom() - area_.y
+        };
         update.prcDirty = &part;
     }
     counters.presents += 1;
-    counters.bytes += static_cast<std::uint64_t>((dirty != nullptr ? *dirty : area_).area()) * sizeof(Pixel);
+    counters.bytes +=
+        static_cast<std::uint64_t>((dirty != nullptr ? *dirty : area_).area()) * sizeof(Pixel);
     if (::UpdateLayeredWindowIndirect(window(), &update) != 0) {
         return true;
     }

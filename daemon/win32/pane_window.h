@@ -41,7 +41,9 @@ public:
 
     /// Shows the part of the frame that lies in `area` (within the monitor). If the window already
     /// shows this area, only the `dirty` rectangles are drawn and presented.
-    void show(const Rect& area, const Frame& frame, std::span<const Rect> dirty, OverlayCounters& counters);
+    void show(
+        const Rect& area, const Frame& frame, std::span<const Rect> dirty, OverlayCounters& counters
+    );
     /// Presents the pixels that show() has drawn, or those of them in a smaller area. False if
     /// there are none.
     bool show_again(const Rect& area, OverlayCounters& counters);

@@ -14,8 +14,9 @@ namespace hyrax::win32 {
 
 /// None if it does not begin as a PNG file does. Sides above 2^31 come out as the largest int.
 inline std::optional<Size> png_size(std::span<const std::byte> file) {
-    constexpr std::array<unsigned, 16> start{0x89, 'P', 'N', 'G', 0x0D, 0x0A, 0x1A, 0x0A,
-                                             0,    0,   0,   13,  'I',  'H',  'D',  'R'};
+    constexpr std::array<unsigned, 16> start{
+        0x89, 'P', 'N', 'G', 0x0D, 0x0A, 0x1A, 0x0A, 0, 0, 0, 13, 'I', 'H', 'D', 'R'
+    };
     if (file.size() < start.size() + 8) {
         return std::nullopt;
     }

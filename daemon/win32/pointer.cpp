@@ -3,8 +3,9 @@
 
 #include "daemon/win32/clock.h"
 
-#include <variant>
 #include <windowsx.h>
+
+#include <variant>
 
 namespace hyrax::win32 {
 

@@ -36,7 +36,9 @@ Result<std::filesystem::path> known_folder(const KNOWNFOLDERID& id, const char* 
     const HRESULT result = ::SHGetKnownFolderPath(id, KF_FLAG_DEFAULT, nullptr, &path);
     const TaskMemory<wchar_t> owner(path);
     if (FAILED(result)) {
-        return std::unexpected(system_error(std::string("cannot find ") + name, static_cast<DWORD>(result)));
+        return std::unexpected(
+            system_error(std::string("cannot find ") + name, static_cast<DWORD>(result))
+        );
     }
     return std::filesystem::path(path) / L"hyrax";
 }
@@ -44,8 +46,13 @@ Result<std::filesystem::path> known_folder(const KNOWNFOLDERID& id, const char* 
 bool can_write_to(const std::filesystem::path& folder) {
     const std::filesystem::path probe = folder / L"hyrax.portable.probe";
     return static_cast<bool>(owned_file(::CreateFileW(
-        probe.c_str(), GENERIC_WRITE, 0, nullptr, CREATE_ALWAYS,
-        FILE_ATTRIBUTE_TEMPORARY | FILE_FLAG_DELETE_ON_CLOSE, nullptr
+        probe.c_str(),
+        GENERIC_WRITE,
+        0,
+        nullptr,
+        CREATE_ALWAYS,
+        FILE_ATTRIBUTE_TEMPORARY | FILE_FLAG_DELETE_ON_CLOSE,
+        nullptr
     )));
 }
 
@@ -66,6 +73,11 @@ void harden_process() {
     ::HeapSetInformation(nullptr, HeapEnableTerminationOnCorruption, nullptr, 0);
 }
 
+bool runs_under_wine() {
+    const HMODULE ntdll = ::GetModuleHandleW(L"ntdll.dll");
+    return ntdll != nullptr && ::GetProcAddress(ntdll, "wine_get_version") != nullptr;
+}
+
 Result<Folders> find_folders() {
     const Result<std::filesystem::path> program = program_path();
     if (!program) {
@@ -74,14 +86,17 @@ Result<Folders> find_folders() {
     Folders folders;
     folders.program = program->parent_path();
     std::error_code ignored;
-    if (std::filesystem::exists(folders.program / L"hyrax.portable", ignored) && can_write_to(folders.program)) {
+    if (std::filesystem::exists(folders.program / L"hyrax.portable", ignored) &&
+        can_write_to(folders.program)) {
         folders.profile = folders.program / L"profile";
         folders.state = folders.program / L"state";
         folders.portable = true;
         return folders;
     }
-    const Result<std::filesystem::path> roaming = known_folder(FOLDERID_RoamingAppData, "%APPDATA%");
-    const Result<std::filesystem::path> local = known_folder(FOLDERID_LocalAppData, "%LOCALAPPDATA%");
+    const Result<std::filesystem::path> roaming =
+        known_folder(FOLDERID_RoamingAppData, "%APPDATA%");
+    const Result<std::filesystem::path> local =
+        known_folder(FOLDERID_LocalAppData, "%LOCALAPPDATA%");
     if (!roaming || !local) {
         return std::unexpected(roaming ? local.error() : roaming.error());
     }

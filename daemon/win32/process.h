@@ -12,6 +12,9 @@ namespace hyrax::win32 {
 /// process instead of being used.
 void harden_process();
 
+/// For its quirks alone, each with a comment that names the symptom.
+bool runs_under_wine();
+
 struct Folders {
     std::filesystem::path program;  ///< Of the executable.
     std::filesystem::path profile;  ///< config.json, scripts and sprites of the user.

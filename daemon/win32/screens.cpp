@@ -10,8 +10,12 @@ namespace hyrax::win32 {
 namespace {
 
 Rect rect_from(const RECT& rect) {
-    return {static_cast<int>(rect.left), static_cast<int>(rect.top),
-            static_cast<int>(rect.right - rect.left), static_cast<int>(rect.bottom - rect.top)};
+    return {
+        static_cast<int>(rect.left),
+        static_cast<int>(rect.top),
+        static_cast<int>(rect.right - rect.left),
+        static_cast<int>(rect.bottom - rect.top)
+    };
 }
 
 BOOL CALLBACK add_monitor(HMONITOR handle, HDC, RECT*, LPARAM list) noexcept {

@@ -28,8 +28,8 @@ Result<std::wstring> user_sid() {
     DWORD size = static_cast<DWORD>(buffer.size());
     wchar_t* text = nullptr;
     const auto* const user = reinterpret_cast<const TOKEN_USER*>(buffer.data());
-    if (::GetTokenInformation(token.raw(), TokenUser, buffer.data(), size, &size) == 0
-        || ::ConvertSidToStringSidW(user->User.Sid, &text) == 0) {
+    if (::GetTokenInformation(token.raw(), TokenUser, buffer.data(), size, &size) == 0 ||
+        ::ConvertSidToStringSidW(user->User.Sid, &text) == 0) {
         return std::unexpected(system_error("cannot tell who the user is"));
     }
     const LocalMemory owner(text);
@@ -86,7 +86,8 @@ Result<SingleInstance> SingleInstance::claim(const std::filesystem::path& profil
     }
     SingleInstance instance;
     instance.name_ = name_for(*user, profile);
-    instance.mutex_ = KernelObject(::CreateMutexW(nullptr, FALSE, (L"Local\\" + instance.name_).c_str()));
+    instance.mutex_ =
+        KernelObject(::CreateMutexW(nullptr, FALSE, (L"Local\\" + instance.name_).c_str()));
     const DWORD outcome = ::GetLastError();
     if (!instance.mutex_ && outcome != ERROR_ACCESS_DENIED) {
         return std::unexpected(system_error("cannot tell whether hyrax runs already", outcome));
@@ -128,7 +129,8 @@ Result<void> SingleInstance::hand_over(std::span<const std::string> arguments) c
 
 std::optional<std::vector<std::string>> handed_over_arguments(LPARAM copy_data) {
     const auto* const data = reinterpret_cast<const COPYDATASTRUCT*>(copy_data);
-    if (data == nullptr || data->dwData != copy_data_mark || (data->lpData == nullptr && data->cbData != 0)) {
+    if (data == nullptr || data->dwData != copy_data_mark ||
+        (data->lpData == nullptr && data->cbData != 0)) {
         return std::nullopt;
     }
     return unpack_arguments({static_cast<const char*>(data->lpData), data->cbData});

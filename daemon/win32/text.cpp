@@ -29,8 +29,9 @@ std::string utf8(std::wstring_view wide_text) {
 Error system_error(std::string_view what, DWORD code) {
     wchar_t buffer[512];
     constexpr DWORD flags = FORMAT_MESSAGE_FROM_SYSTEM | FORMAT_MESSAGE_IGNORE_INSERTS;
-    const DWORD length =
-        ::FormatMessageW(flags, nullptr, code, 0, buffer, static_cast<DWORD>(std::size(buffer)), nullptr);
+    const DWORD length = ::FormatMessageW(
+        flags, nullptr, code, 0, buffer, static_cast<DWORD>(std::size(buffer)), nullptr
+    );
     std::wstring_view reason(buffer, length);
     while (!reason.empty() && (reason.back() <= L' ' || reason.back() == L'.')) {
         reason.remove_suffix(1);

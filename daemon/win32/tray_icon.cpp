@@ -4,9 +4,10 @@
 #include "daemon/win32/resources/ids.h"
 #include "daemon/win32/text.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <array>
-#include <spdlog/spdlog.h>
 
 namespace hyrax::win32 {
 
@@ -18,8 +19,12 @@ constexpr UINT icon_id = 1;
 
 /// At logon the program may be earlier than the taskbar.
 constexpr std::array<Ticks, 6> retry_after{
-    1 * ticks_per_second, 2 * ticks_per_second,  4 * ticks_per_second,
-    8 * ticks_per_second, 15 * ticks_per_second, 30 * ticks_per_second,
+    1 * ticks_per_second,
+    2 * ticks_per_second,
+    4 * ticks_per_second,
+    8 * ticks_per_second,
+    15 * ticks_per_second,
+    30 * ticks_per_second,
 };
 
 }  // namespace
@@ -67,7 +72,11 @@ void TrayIcon::load_icon() {
     const int width = ::GetSystemMetricsForDpi(SM_CXSMICON, dpi);
     const int height = ::GetSystemMetricsForDpi(SM_CYSMICON, dpi);
     const HANDLE loaded = ::LoadImageW(
-        ::GetModuleHandleW(nullptr), MAKEINTRESOURCEW(HYRAX_ICON), IMAGE_ICON, width, height,
+        ::GetModuleHandleW(nullptr),
+        MAKEINTRESOURCEW(HYRAX_ICON),
+        IMAGE_ICON,
+        width,
+        height,
         LR_DEFAULTCOLOR
     );
     if (loaded != nullptr) {

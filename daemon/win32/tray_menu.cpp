@@ -62,7 +62,11 @@ MenuCommand choose_from_menu(HWND owner, Point anchor, const Status& status) {
     const UINT side =
         ::GetSystemMetrics(SM_MENUDROPALIGNMENT) != 0 ? TPM_RIGHTALIGN : TPM_LEFTALIGN;
     const BOOL chosen = ::TrackPopupMenuEx(
-        menu.raw(), TPM_RETURNCMD | TPM_RIGHTBUTTON | TPM_NONOTIFY | side, anchor.x, anchor.y, owner,
+        menu.raw(),
+        TPM_RETURNCMD | TPM_RIGHTBUTTON | TPM_NONOTIFY | side,
+        anchor.x,
+        anchor.y,
+        owner,
         nullptr
     );
     ::PostMessageW(owner, WM_NULL, 0, 0);

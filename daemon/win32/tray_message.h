@@ -20,7 +20,10 @@ constexpr std::optional<Point> menu_anchor(std::uint64_t wparam, std::int64_t lp
         return std::nullopt;
     }
     // Signed: the taskbar may lie on a monitor left of or above the primary one.
-    return Point{static_cast<std::int16_t>(wparam & 0xFFFF), static_cast<std::int16_t>((wparam >> 16U) & 0xFFFF)};
+    return Point{
+        static_cast<std::int16_t>(wparam & 0xFFFF),
+        static_cast<std::int16_t>((wparam >> 16U) & 0xFFFF)
+    };
 }
 
 }  // namespace hyrax::win32

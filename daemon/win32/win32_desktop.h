@@ -68,9 +68,8 @@ private:
     Ticks chores_due() const;
     void sleep_until(Ticks due);
 
-    std::optional<LRESULT> on_message(
-        HWND window, UINT message, WPARAM wparam, LPARAM lparam
-    ) override;
+    std::optional<LRESULT> on_message(HWND window, UINT message, WPARAM wparam, LPARAM lparam)
+        override;
     std::optional<LRESULT> on_daemon_message(UINT message, WPARAM wparam, LPARAM lparam);
     void ask(Request request);
     void on_screens_hint();

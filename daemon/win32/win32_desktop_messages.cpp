@@ -7,6 +7,7 @@
 #include "daemon/win32/win32_desktop.h"
 
 #include <spdlog/spdlog.h>
+
 #include <thread>
 
 namespace hyrax::win32 {
@@ -31,9 +32,7 @@ std::optional<LRESULT> Win32Desktop::on_message(
     return pointer_.on_capturer_message(window, message, wparam, lparam);
 }
 
-std::optional<LRESULT> Win32Desktop::on_daemon_message(
-    UINT message, WPARAM wparam, LPARAM lparam
-) {
+std::optional<LRESULT> Win32Desktop::on_daemon_message(UINT message, WPARAM wparam, LPARAM lparam) {
     switch (message) {
         case tray_message:
             if (const std::optional<Point> anchor = menu_anchor(wparam, lparam)) {

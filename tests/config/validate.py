@@ -96,6 +96,7 @@ class Config(unittest.TestCase):
         broken = {
             "/physics": 5,
             "/physics/gravity": "high",
+            "/pets/max_speed": 0,
             "/physics/restitution": 1.5,
             "/physics/air_drag": -0.1,
             "/pets/max": 0,
@@ -115,7 +116,7 @@ class Config(unittest.TestCase):
     def test_harmless_changes_are_accepted(self):
         harmless = {
             "/unknown": 1,
-            "/physics/gravity": -300.5,
+            "/physics/gravity": 300.5,
             "/pets/start/0": {"x": 5, "y": 6, "vx": -7},
             "/scripts/run": ["examples/*.lua", "a..b/c?.lua"],
         }

@@ -101,7 +101,7 @@ TEST_CASE("config: an empty object means the defaults") {
 TEST_CASE("config: every key arrives where it belongs") {
     const Config config = config_of(R"({
         "$schema": "anything",
-        "physics": {"gravity": -1, "restitution": 0.25, "air_drag": 0.5, "ground_friction": 0.75,
+        "physics": {"gravity": 0.5, "restitution": 0.25, "air_drag": 0.5, "ground_friction": 0.75,
                     "rest_threshold": 7},
         "pets": {"start": [{"kind": "cat", "count": 2, "x": 1.5, "y": -2, "vx": 3, "vy": 4}, {}],
                  "max": 9, "max_speed": 10, "max_throw_speed": 11, "drowsy_after": 12},
@@ -111,7 +111,7 @@ TEST_CASE("config: every key arrives where it belongs") {
     })");
     Config expected;
     expected.engine.physics = {
-        .gravity = -1,
+        .gravity = 0.5,
         .restitution = 0.25,
         .air_drag = 0.5,
         .ground_friction = 0.75,
@@ -214,7 +214,7 @@ TEST_CASE("config: messages as people see them") {
     );
     CHECK(
         errors_of("{\"physics\": {\"gravity\": \"high\"}}") ==
-        "config.json:1:25: /physics/gravity: must be a number from -1000000000 to 1000000000, "
+        "config.json:1:25: /physics/gravity: must be a number from 0 to 1000000000, "
         "got \"high\""
     );
     CHECK(

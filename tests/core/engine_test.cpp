@@ -1,60 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "daemon/core/engine.h"
-
-#include <doctest/doctest.h>
+#include "tests/core/engine_world.h"
 
 #include <cmath>
 #include <limits>
 
 using namespace hyrax;
-
-namespace {
-
-constexpr Ticks frame = ticks_per_second / 60;
-constexpr Size box{100, 80};
-
-Monitor monitor(Rect bounds) {
-    return {.bounds = bounds, .work = bounds, .primary = true, .name = {}};
-}
-
-// An engine with one monitor, a clock, and every event remembered.
-struct World {
-    explicit World(EngineSettings settings = {})
-        : engine({{"hyrax", box}, {"other", {50, 50}}}, settings, 1) {
-        engine.listen(EventMask::all());
-        engine.set_arena(Arena({monitor({0, 0, 1920, 1080})}, FloorEdge::work_area));
-        engine.take_events();
-    }
-
-    PetId spawn(Vec2 at, Vec2 velocity = {}) {
-        const Result<PetId> id = engine.spawn({.at = at, .velocity = velocity});
-        REQUIRE(id.has_value());
-        return *id;
-    }
-    void run(double seconds) {
-        for (const Ticks end = now + from_seconds(seconds); now < end; now += frame) {
-            engine.advance(now);
-        }
-    }
-    int count(EventKind kind) {
-        int found = 0;
-        for (const Event& event : engine.take_events()) {
-            found += event.kind == kind ? 1 : 0;
-        }
-        return found;
-    }
-    const Pet& pet(PetId id) const { return *engine.find(id); }
-
-    Engine engine;
-    Ticks now = 0;
-};
-
-bool same(const Pet& a, const Pet& b) {
-    return a.position() == b.position() && a.velocity() == b.velocity() && a.motion == b.motion &&
-           a.awake == b.awake;
-}
-
-}  // namespace
 
 TEST_CASE("a pet's first frame shows it where it was put, the second moves it by one step") {
     World world;
@@ -345,70 +295,4 @@ TEST_CASE("events that nobody listens to are not built") {
     world.spawn({300.0, 0.0});
     world.run(5.0);
     CHECK_FALSE(world.engine.has_events());
-}
-
-TEST_CASE("pets on a monitor that goes away move to the nearest one and stay alive") {
-    World world;
-    world.engine.set_arena(
-        Arena({monitor({0, 0, 1920, 1080}), monitor({-1600, -200, 1600, 900})}, FloorEdge::work_area)
-    );
-    const PetId left = world.spawn({-1200.0, 100.0}, {50.0, 0.0});
-    const PetId right = world.spawn({600.0, 100.0}, {50.0, 0.0});
-    CHECK(world.pet(left).home == Rect{-1600, -200, 1600, 900});
-    world.engine.set_arena(Arena({monitor({0, 0, 1920, 1080})}, FloorEdge::work_area));
-    CHECK(world.pet(left).position() == Vec2{0.0, 100.0});
-    CHECK(world.pet(left).velocity() == Vec2{});
-    CHECK(world.pet(right).position() == Vec2{600.0, 100.0});
-    CHECK(world.pet(right).velocity() == Vec2{50.0, 0.0});
-}
-
-TEST_CASE("pets on a monitor at negative coordinates live by the same law") {
-    World world;
-    world.engine.set_arena(Arena({monitor({-1600, -200, 1600, 900})}, FloorEdge::work_area));
-    const PetId id = world.spawn({-1500.0, -200.0}, {300.0, 0.0});
-    physics expected(100.0, 0.0, 300.0, 0.0);
-    world.engine.advance(0);
-    for (int i = 1; i < 200; ++i) {
-        world.engine.advance(i * frame);
-        expected.update(to_seconds(frame), 1600, 900, box.width, box.height);
-    }
-    CHECK(world.pet(id).position() == Vec2{expected.x() - 1600.0, expected.y() - 200.0});
-}
-
-TEST_CASE("a sprite wider than its monitor is pinned and does not flicker") {
-    World world;
-    world.engine.set_arena(Arena({monitor({0, 0, 60, 1080})}, FloorEdge::work_area));
-    const PetId id = world.spawn({10.0, 0.0}, {500.0, 0.0});
-    for (int i = 0; i < 600; ++i) {
-        world.engine.advance(i * frame);
-        REQUIRE(world.pet(id).position().x == 0.0);
-    }
-    CHECK_FALSE(world.engine.moving());
-}
-
-TEST_CASE("settings reach pets in flight with the next frame") {
-    World world;
-    const PetId id = world.spawn({300.0, 0.0});
-    world.run(0.1);
-    const double before = world.pet(id).velocity().y;
-    world.engine.configure({.physics = {.gravity = 0.0, .air_drag = 1.0}});
-    world.run(0.1);
-    CHECK(world.pet(id).velocity().y == before);
-}
-
-TEST_CASE("the work area is the floor, unless the config says the screen") {
-    const Monitor with_taskbar{
-        .bounds = {0, 0, 1920, 1080}, .work = {0, 0, 1920, 1040}, .primary = true, .name = {}
-    };
-    CHECK(Arena({with_taskbar}, FloorEdge::work_area).boxes()[0].height == 1040);
-    CHECK(Arena({with_taskbar}, FloorEdge::screen).boxes()[0].height == 1080);
-}
-
-TEST_CASE("kinds are replaced by name") {
-    World world;
-    const PetId other = *world.engine.spawn({.kind = "other"});
-    world.engine.set_kinds({{"another", {10, 10}}, {"other", {60, 60}}});
-    CHECK(world.engine.kinds()[world.pet(other).kind].name == "other");
-    world.engine.set_kinds({{"hyrax", box}});
-    CHECK(world.engine.kinds()[world.pet(other).kind].name == "hyrax");
 }

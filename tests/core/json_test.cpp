@@ -160,6 +160,7 @@ TEST_CASE("json: bytes that are not UTF-8 are refused, in comments as well") {
              "\xE0\x80\x80",      // overlong
              "\xED\xA0\x80",      // surrogate
              "\xF4\x90\x80\x80",  // above U+10FFFF
+             "\xF5\x80\x80\x80",  // far above
              "\xF0\x9F\x90",      // cut off
              "\x80",              // no first byte
          }) {

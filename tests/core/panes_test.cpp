@@ -15,8 +15,10 @@ constexpr Rect left_screen{-1600, -200, 1600, 900};
 constexpr Rect main_screen{0, 0, 1920, 1080};
 
 std::vector<Monitor> two_screens() {
-    return {{.bounds = main_screen, .work = main_screen, .primary = true, .name = "main"},
-            {.bounds = left_screen, .work = left_screen, .name = "left"}};
+    return {
+        {.bounds = main_screen, .work = main_screen, .primary = true, .name = "main"},
+        {.bounds = left_screen, .work = left_screen, .name = "left"}
+    };
 }
 
 Rect pet_at_place(int x, int y) {
@@ -126,7 +128,8 @@ TEST_CASE("a pet that runs across the screen changes its pane at most twice a se
         for (int frame = 0; frame < frames; ++frame) {
             const int way = frame * speed / 60;
             const std::vector<Rect> sprites{pet_at_place(20 + way, 900 - way / 2)};
-            std::vector<Pane> next = plan_panes(monitors, sprites, panes, frame * ticks_per_second / 60);
+            std::vector<Pane> next =
+                plan_panes(monitors, sprites, panes, frame * ticks_per_second / 60);
             REQUIRE(next.size() == 1);
             CHECK(next[0].area.contains(sprites[0]));
             changes += !panes.empty() && next[0].area != panes[0].area ? 1 : 0;
@@ -198,8 +201,10 @@ TEST_CASE("near places become one cluster, distant ones stay apart") {
 }
 
 TEST_CASE("clusters are clipped to the pane, and there are few of them") {
-    CHECK(dirty_clusters(std::vector{pet_at_place(-40, 0)}, main_screen, {})
-          == std::vector<Rect>{{0, 0, 56, 96}});
+    CHECK(
+        dirty_clusters(std::vector{pet_at_place(-40, 0)}, main_screen, {}) ==
+        std::vector<Rect>{{0, 0, 56, 96}}
+    );
     CHECK(dirty_clusters(std::vector{pet_at_place(-400, 0)}, main_screen, {}).empty());
 
     std::mt19937 random(11);
@@ -209,7 +214,8 @@ TEST_CASE("clusters are clipped to the pane, and there are few of them") {
     for (int i = 0; i < 60; ++i) {
         places.push_back(pet_at_place(x(random), y(random)));
         for (const std::size_t most : {std::size_t{1}, std::size_t{4}, std::size_t{8}}) {
-            const std::vector<Rect> clusters = dirty_clusters(places, main_screen, {.most_calls = most});
+            const std::vector<Rect> clusters =
+                dirty_clusters(places, main_screen, {.most_calls = most});
             CHECK(clusters.size() <= most);
             for (const Rect& place : places) {
                 CHECK(covered(clusters, intersection(place, main_screen)));

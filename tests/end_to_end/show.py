@@ -106,7 +106,8 @@ def main():
         cpu = sum(thread.cpu for thread in program.threads()) - before
         # A second start hands its option to the first one, which then has time to say good-bye.
         desk.start(exe, "--profile", wine.windows_path(profile), "--quit").wait(30)
-        program.wait(30)
+        if code := program.wait(30):
+            print(f"error: {exe.name} ended with {code}: {program.text()}", file=sys.stderr)
         told = f"{last_words(profile / 'hyrax.log')}; {100 * cpu / seconds:.0f} % of a core"
     print(f"making the picture of {len(frames)} frames", flush=True)
     write_gif(frames, folder / "demo.gif")

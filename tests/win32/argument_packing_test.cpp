@@ -10,7 +10,8 @@ using namespace hyrax::win32;
 
 TEST_CASE("arguments come out as they went in") {
     const std::vector<std::vector<std::string>> lists{
-        {}, {""}, {"", ""}, {"--spawn", "hyrax"}, {"a b", "\xC3\xB6\"\\", ""}};
+        {}, {""}, {"", ""}, {"--spawn", "hyrax"}, {"a b", "\xC3\xB6\"\\", ""}
+    };
     for (const auto& arguments : lists) {
         const auto packed = pack_arguments(arguments);
         REQUIRE(packed);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "daemon/win32/clock.h"
 #include "daemon/win32/folder_watch.h"
+
+#include "daemon/win32/clock.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "daemon/core/files.h"
 #include "daemon/win32/image_decoder.h"
+
+#include "daemon/core/files.h"
 
 #include <doctest/doctest.h>
 
@@ -23,7 +24,8 @@ std::vector<std::byte> shipped_sheet() {
 
 bool is_premultiplied(Pixel pixel) {
     const unsigned alpha = alpha_of(pixel);
-    return ((pixel >> 16U) & 0xFFU) <= alpha && ((pixel >> 8U) & 0xFFU) <= alpha && (pixel & 0xFFU) <= alpha;
+    return ((pixel >> 16U) & 0xFFU) <= alpha && ((pixel >> 8U) & 0xFFU) <= alpha &&
+           (pixel & 0xFFU) <= alpha;
 }
 
 }  // namespace
@@ -35,7 +37,9 @@ TEST_CASE("the shipped sheet is decoded into premultiplied pixels") {
     REQUIRE(image);
     CHECK(image->size.width % 128 == 0);
     CHECK(std::ranges::all_of(image->pixels, is_premultiplied));
-    CHECK(std::ranges::count_if(image->pixels, [](Pixel pixel) { return alpha_of(pixel) == 255; }) > 10'000);
+    CHECK(std::ranges::count_if(image->pixels, [](Pixel pixel) {
+              return alpha_of(pixel) == 255;
+          }) > 10'000);
     CHECK(alpha_of(image->at(0, 0)) == 0);
 }
 
@@ -45,7 +49,9 @@ TEST_CASE("damaged and huge pictures are refused with a reason") {
     std::vector<std::byte> file = shipped_sheet();
 
     CHECK(decode({}).error().message == "not a PNG file");
-    CHECK(decode(std::vector<std::byte>(max_image_file_bytes + 1)).error().message.contains("16 MiB"));
+    CHECK(
+        decode(std::vector<std::byte>(max_image_file_bytes + 1)).error().message.contains("16 MiB")
+    );
 
     const std::span<const std::byte> header_alone(file.data(), 40);
     CHECK(decode(header_alone).error().message.contains("damaged"));

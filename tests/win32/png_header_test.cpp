@@ -25,7 +25,9 @@ TEST_CASE("the size is read from the header") {
 }
 
 TEST_CASE("a size beyond an int is the largest int") {
-    CHECK(size_in(png("\xFF\xFF\xFF\xFF\x80" + std::string(3, '\0'))) == Size{0x7FFFFFFF, 0x7FFFFFFF});
+    CHECK(
+        size_in(png("\xFF\xFF\xFF\xFF\x80" + std::string(3, '\0'))) == Size{0x7FFFFFFF, 0x7FFFFFFF}
+    );
 }
 
 TEST_CASE("what is no PNG file has no size") {

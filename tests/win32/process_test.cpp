@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/win32/process.h"
+
 #include "daemon/win32/single_instance.h"
 #include "daemon/win32/text.h"
 

@@ -76,8 +76,10 @@ TEST_CASE("a taskbar that comes late is waited for, but not for ever") {
 
 TEST_CASE("the tip begins with the name and holds what fits") {
     CHECK(tip_text({.pets = 1, .paused = false, .problem = {}}) == L"hyrax\n1 pet");
-    CHECK(tip_text({.pets = 3, .paused = true, .problem = "config.json: bad"})
-          == L"hyrax\n3 pets, paused\nconfig.json: bad");
+    CHECK(
+        tip_text({.pets = 3, .paused = true, .problem = "config.json: bad"}) ==
+        L"hyrax\n3 pets, paused\nconfig.json: bad"
+    );
     CHECK(tip_text({.pets = 3, .paused = false, .problem = std::string(500, 'x')}).size() == 127);
 
     Shell shell;

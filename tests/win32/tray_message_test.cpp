@@ -24,7 +24,8 @@ TEST_CASE("an anchor may lie at negative coordinates") {
 }
 
 TEST_CASE("other events open nothing") {
-    for (const std::int64_t event : {0x0200, 0x0201, 0x0202, 0x0203, 0x0204, 0x0205, 0x0402, 0x0405}) {
+    for (const std::int64_t event :
+         {0x0200, 0x0201, 0x0202, 0x0203, 0x0204, 0x0205, 0x0402, 0x0405}) {
         CHECK_FALSE(menu_anchor(0, icon_one | event));
     }
 }
