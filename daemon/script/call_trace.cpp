@@ -26,8 +26,8 @@ std::string function_name(const lua_Debug& call) {
     return fmt::format("in function <{}:{}>", call.short_src, call.linedefined);
 }
 
-// Lua walks from the innermost call to the one asked for, and recursions have 200 000 of them: looks
-// at few.
+// Lua walks from the innermost call to the one asked for, and recursions have 200 000 of them:
+// looks at few.
 int depth_of(lua_State* lua, int level) {
     const auto exists = [lua, level](int depth) {
         lua_Debug call{};

@@ -53,7 +53,7 @@ void Meter::condemn(lua_State* lua, std::string reason) {
 // A light error object: raising it needs no memory. The hook on every instruction keeps __close
 // handlers from running on the way out.
 void Meter::stop(lua_State* lua) {
-    condemn(lua, budget_spent());
+    condemn(lua);
     lua_sethook(lua, on_count, LUA_MASKCOUNT, 1);
     lua_pushlightuserdata(lua, this);
     lua_error(lua);

@@ -43,8 +43,8 @@ public:
     /// The script has been ended for good: none of its code may run again.
     bool killed() const { return killed_; }
     bool spent() const { return units_ <= 0; }
-    /// Ends the script without raising.
-    void condemn(lua_State* lua, std::string reason);
+    /// Ends the script for its spent budget, without raising.
+    void condemn(lua_State* lua) { condemn(lua, budget_spent()); }
     const Verdict& verdict() const { return verdict_; }
     std::size_t heap() const { return heap_; }
 
@@ -59,6 +59,7 @@ public:
 private:
     static void on_count(lua_State* lua, lua_Debug* call);
     [[noreturn]] void stop(lua_State* lua);
+    void condemn(lua_State* lua, std::string reason);
     void look_at_clock(lua_State* lua);
     bool refuses(bool is_new, std::size_t kind, std::size_t old_size, std::size_t new_size);
     std::string budget_spent() const;

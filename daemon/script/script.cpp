@@ -152,7 +152,7 @@ void Script::resume(HostThread thread, lua_State* from, int arguments) {
     }
     if (status != LUA_OK) {
         if (meter.spent()) {  // a refused allocation is what ended the call
-            meter.condemn(thread.lua, "used more work units than one call may");
+            meter.condemn(thread.lua);
             return;
         }
         report(thread.lua, status);
@@ -162,7 +162,10 @@ void Script::resume(HostThread thread, lua_State* from, int arguments) {
 }
 
 void Script::report(lua_State* thread, int status) {
-    if (journal.error(message_of(thread, -1), call_trace(thread, 0))) {
+    // Lua catches every C++ exception, and calls those that are not its own -1.
+    const std::string message =
+        status < 0 ? "internal error of the script host" : message_of(thread, -1);
+    if (journal.error(message, call_trace(thread, 0))) {
         paused_ = true;
     }
     if (status == LUA_ERRMEM) {
@@ -193,18 +196,23 @@ int Script::park(lua_State* lua, Waiter waiter) {
 void Script::unpark() {
     parked_ = false;
     schedule.take_waiter(schedule.waiters().back().id);
+    std::erase_if(waiting_inside_, [this](const InnerWait& wait) {
+        return wait.host_thread == running_.lua;
+    });
 }
 
 bool Script::is_waiting(const lua_State* thread) const {
     return schedule.is_waiting(thread) ||
-           std::ranges::find(waiting_inside_, thread) != waiting_inside_.end();
+           std::ranges::find(waiting_inside_, thread, &InnerWait::thread) != waiting_inside_.end();
 }
 
 void Script::waits_inside(lua_State* thread, bool waits) {
     if (waits) {
-        waiting_inside_.push_back(thread);
+        waiting_inside_.push_back({thread, running_.lua});
     } else {
-        std::erase(waiting_inside_, thread);
+        std::erase_if(waiting_inside_, [thread](const InnerWait& wait) {
+            return wait.thread == thread;
+        });
     }
 }
 

@@ -91,7 +91,11 @@ public:
     bool is_host_thread(const lua_State* thread) const { return thread == running_.lua; }
 
 private:
-    using Push = int (*)(lua_State*, const void*);
+    // A coroutine of the script's that waits because one that it resumed does.
+    struct InnerWait {
+        const lua_State* thread = nullptr;
+        const lua_State* host_thread = nullptr;  // Which waits for both.
+    };
 
     void protect(void (*body)(lua_State*, void*), void* data);
     template <std::invocable<lua_State*> Body>
@@ -114,7 +118,7 @@ private:
     HostThread running_;  ///< Innermost coroutine of the host that is running.
     bool parked_ = false;
     bool paused_ = false;
-    std::vector<const lua_State*> waiting_inside_;
+    std::vector<InnerWait> waiting_inside_;
     std::size_t commands_ = 0;
     Ticks loaded_at_ = 0;
     std::uint64_t random_;

@@ -125,6 +125,55 @@ class OnThreeMonitors(unittest.TestCase):
         self.assertEqual(daemon.second_start("--quit"), 0)
         self.assertEqual(daemon.program.wait(10), 0)
 
+    def open_menu(self):
+        """Without a tray, Wine shows the icons in a window of their own."""
+        (tray,) = self.desk.windows("Wine System Tray")
+        self.desk.click(tray.x + 10, tray.y + 10, button=3)
+        return desktop.wait_for(
+            lambda: [w for w in self.desk.windows("^hyrax.exe$") if w.name == "" and w.width > 60], 10, "the menu"
+        )[0]
+
+    def test_the_tray_menu_spawns_pauses_and_quits(self):
+        daemon = self.daemon(start(300, 300))
+        daemon.wait_for_rest()
+        self.open_menu()
+        self.desk.key("s")
+        daemon.wait_for_pets(lambda pets: len(pets) == 2, 10, "the second pet")
+        daemon.wait_for_rest(2)
+
+        self.open_menu()
+        self.desk.key("f")
+        daemon.wait_for_pets(lambda pets: all(pet["motion"] == "airborne" for pet in pets), 10, "all to fly")
+        self.open_menu()
+        self.desk.key("p")
+        time.sleep(1.0)
+        frozen = daemon.pets()
+        time.sleep(1.0)
+        self.assertEqual([(p["x"], p["y"]) for p in daemon.pets()], [(p["x"], p["y"]) for p in frozen])
+        self.open_menu()
+        self.desk.key("p")
+        daemon.wait_for_rest(2)
+
+        self.open_menu()
+        self.desk.key("q")
+        self.assertEqual(daemon.program.wait(10), 0)
+        self.assertNotIn("hyrax.exe", " ".join(line for _, line in self.desk.processes()))
+        self.assertIn("bye", daemon.log_text())
+
+    def test_pets_fly_on_while_the_menu_is_open(self):
+        daemon = self.daemon({"physics": {"gravity": 0, "air_drag": 1}, **start(100, 300, vx=60)})
+        daemon.wait_for_pets(lambda pets: pets and pets[0]["x"] > 110, 20, "the pet to drift")
+        menu = self.open_menu()
+        opened = daemon.pets()[0]
+        time.sleep(2.0)
+        later = daemon.pets()[0]
+        self.assertTrue(self.desk.is_viewable(menu))
+        self.assertAlmostEqual(later["x"] - opened["x"], 60 * (later["time"] - opened["time"]), delta=3)
+        self.assertGreater(later["x"] - opened["x"], 60)
+        self.desk.key("Escape")
+        desktop.wait_for(lambda: not self.desk.is_viewable(menu), 10, "the menu to close")
+        daemon.wait_for_pets(lambda pets: pets[0]["x"] > later["x"] + 30, 10, "the pet to drift on")
+
     def test_a_script_spawns_and_throws(self):
         script = "local p = hyrax.spawn{ x = 400, y = 300 } hyrax.after(0.5, function() p:fling(-300, -400) end)"
         daemon = self.daemon({"pets": {"start": []}}, scripts={"throw.lua": script})
