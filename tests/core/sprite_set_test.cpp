@@ -111,6 +111,7 @@ TEST_CASE("sprite set: an animation that ends stays on its last frame") {
     CHECK(shown(land, 10) == CellUntil{6, 30});
     CHECK(shown(land, 29) == CellUntil{6, 30});
     CHECK(shown(land, 30) == CellUntil{7, never});
+    CHECK(shown(land, 60) == CellUntil{7, never});
     CHECK(shown(land, 1'000'000) == CellUntil{7, never});
 }
 

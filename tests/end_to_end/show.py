@@ -92,7 +92,7 @@ def main():
         check=True,
     )
     print(f"showing {exe.name} on a virtual display for {seconds:g} s", flush=True)
-    with desktop.VirtualDesktop([(*SIZE, 0, 0)], wallpaper=str(wallpaper)) as desk:
+    with desktop.VirtualDesktop([(*SIZE, 0, 0)], wallpaper=str(wallpaper), click_through=False) as desk:
         empty = desk.screenshot()
         program = desk.start(exe, "--profile", wine.windows_path(profile))
         desktop.wait_for(lambda: desk.screenshot().rgb != empty.rgb or not program.running, 60, "the first pet")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Hostile scripts: each ends as it must, is named, and harms nobody else.
-#include "fake_world.h"
+#include "tests/script/fake_world.h"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // scripts/hyrax.d.lua describes exactly what exists.
 #include "daemon/script/schedule.h"
-#include "fake_world.h"
+#include "tests/script/fake_world.h"
 
 #include <doctest/doctest.h>
 

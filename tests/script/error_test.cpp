@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Errors, limits and the log: what people who write scripts read.
-#include "fake_world.h"
+#include "tests/script/fake_world.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Events: what handlers are given, who is asked, how they end.
-#include "fake_world.h"
+#include "tests/script/fake_world.h"
 
 #include <doctest/doctest.h>
 

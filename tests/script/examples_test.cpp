@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The shipped examples do what they promise, without an error, on any arena.
-#include "fake_world.h"
+#include "tests/script/fake_world.h"
 
 #include <doctest/doctest.h>
 

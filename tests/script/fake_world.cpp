@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fake_world.h"
+#include "tests/script/fake_world.h"
 
 #include <algorithm>
 #include <type_traits>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pets from a script: spawning, reading, verbs, filters, handles of pets that are gone.
-#include "fake_world.h"
+#include "tests/script/fake_world.h"
 
 #include <doctest/doctest.h>
 

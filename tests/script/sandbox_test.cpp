@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What of Lua scripts get, and that honest code works with it.
-#include "fake_world.h"
+#include "tests/script/fake_world.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Timers, waits and tasks on a virtual clock.
-#include "fake_world.h"
+#include "tests/script/fake_world.h"
 
 #include <doctest/doctest.h>
 
