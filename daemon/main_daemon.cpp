@@ -44,12 +44,13 @@ struct Places {
 Places places_for(const win32::Folders& folders, const DaemonCommandLine& line) {
     const fs::path user = line.profile ? fs::absolute(*line.profile) : folders.profile;
     return {
-        .profile = {
-            .config = user / "config.json",
-            .user = user,
-            .shipped = folders.program,
-            .more_scripts = {},
-        },
+        .profile =
+            {
+                .config = user / "config.json",
+                .user = user,
+                .shipped = folders.program,
+                .more_scripts = {},
+            },
         .log = (line.profile ? user : folders.state) / "hyrax.log",
     };
 }
@@ -140,8 +141,11 @@ int run_daemon(const Places& places, const DaemonCommandLine& line, const std::w
 
     const win32::DesktopCounters counters = (*desktop)->counters();
     spdlog::info(
-        "{} pets; {} presents of {:.1f} MB in all; woken {} times; bye", daemon.engine().size(),
-        counters.overlay.presents, static_cast<double>(counters.overlay.bytes) / 1e6, counters.wakeups
+        "{} pets; {} presents of {:.1f} MB in all; woken {} times; bye",
+        daemon.engine().size(),
+        counters.overlay.presents,
+        static_cast<double>(counters.overlay.bytes) / 1e6,
+        counters.wakeups
     );
     return exit_ok;
 }

@@ -76,8 +76,11 @@ int run(const hyrax::HeadlessCommandLine& line) {
     }
     fmt::print(
         "{} pets ({} moving) after {} s: {} frames shown, {} timer wake-ups\n",
-        daemon.engine().size(), daemon.engine().awake_count(), hyrax::to_seconds(desktop.now()),
-        desktop.presents(), desktop.timer_wakeups()
+        daemon.engine().size(),
+        daemon.engine().awake_count(),
+        hyrax::to_seconds(desktop.now()),
+        desktop.presents(),
+        desktop.timer_wakeups()
     );
     return exit_ok;
 }

@@ -7,11 +7,12 @@ namespace hyrax {
 /// The document's constants, held per instance so that a config file can tune them.
 /// Valid: every value finite; gravity and rest_threshold >= 0; the three factors from 0 to 1.
 struct PhysicsConstants {
-    double gravity = 1200.0;       ///< Downward acceleration [px/s^2].
-    double restitution = 0.6;      ///< Speed kept by an impact, a ratio of velocities.
-    double air_drag = 0.999;       ///< Velocity kept by each frame.
-    double ground_friction = 0.8;  ///< Horizontal velocity kept by each frame that touches the ground.
-    double rest_threshold = 5.0;   ///< Rebounds slower than this stop [px/s].
+    double gravity = 1200.0;   ///< Downward acceleration [px/s^2].
+    double restitution = 0.6;  ///< Speed kept by an impact, a ratio of velocities.
+    double air_drag = 0.999;   ///< Velocity kept by each frame.
+    double ground_friction =
+        0.8;  ///< Horizontal velocity kept by each frame that touches the ground.
+    double rest_threshold = 5.0;  ///< Rebounds slower than this stop [px/s].
 
     bool operator==(const PhysicsConstants&) const = default;
 };
@@ -32,7 +33,9 @@ public:
 
     /// One frame: gravity, drag, position, collisions, in the document's order of operations.
     /// dt is the time since the previous frame [s]; the box is [0, screen - object] on each axis.
-    void update(double dt, int screen_width, int screen_height, int object_width, int object_height);
+    void update(
+        double dt, int screen_width, int screen_height, int object_width, int object_height
+    );
 
     double x() const { return x_; }
     double y() const { return y_; }

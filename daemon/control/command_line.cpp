@@ -29,7 +29,8 @@ CLI::Validator between(double low, double high) {
     return {
         [low, high](const std::string& text) -> std::string {
             double value = 0.0;
-            const bool inside = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+            const bool inside =
+                CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
             return inside ? "" : fmt::format("expected a number from {} to {}", low, high);
         },
         "FLOAT",
@@ -37,8 +38,12 @@ CLI::Validator between(double low, double high) {
 }
 
 template <typename R>
-void add_request(CLI::App& app, CommonOptions& common, const char* name, R request, const char* help) {
-    app.add_flag_callback(name, [&common, request] { common.requests.emplace_back(request); }, help);
+void add_request(
+    CLI::App& app, CommonOptions& common, const char* name, R request, const char* help
+) {
+    app.add_flag_callback(
+        name, [&common, request] { common.requests.emplace_back(request); }, help
+    );
 }
 
 void add_common(CLI::App& app, CommonOptions& common, Raw& raw) {
@@ -50,13 +55,19 @@ void add_common(CLI::App& app, CommonOptions& common, Raw& raw) {
     )
         ->check(CLI::Range(1, 1000));
     add_request(app, common, "--fling-all", request::FlingAll{}, "Throw every pet upwards");
-    add_request(app, common, "--reset-all", request::ResetAll{}, "Put every pet back where it was spawned");
+    add_request(
+        app, common, "--reset-all", request::ResetAll{}, "Put every pet back where it was spawned"
+    );
     add_request(app, common, "--remove-all", request::RemoveAll{}, "Remove every pet");
     add_request(app, common, "--pause", request::SetPaused{true}, "Freeze pets and scripts");
     add_request(app, common, "--resume", request::SetPaused{false}, "Let them go on");
-    add_request(app, common, "--reload", request::Reload{}, "Read config, sprite sets and scripts again");
+    add_request(
+        app, common, "--reload", request::Reload{}, "Read config, sprite sets and scripts again"
+    );
     app.add_option("--trace", raw.trace, "Write every frame of every pet to this CSV file");
-    app.add_flag("--for-testing", common.for_testing, "Broken checks abort; the same run every time");
+    app.add_flag(
+        "--for-testing", common.for_testing, "Broken checks abort; the same run every time"
+    );
 }
 
 // Runs the parser; an answer means that the program has only to print it and to end.
@@ -84,8 +95,10 @@ std::variant<DaemonCommandLine, Farewell> parse_daemon_arguments(
     const std::vector<std::string>& arguments
 ) {
     CLI::App app("hyrax: many bouncing hyraxes on the desktop", "hyrax");
-    app.footer("A second start hands its options to the running daemon, without any option it spawns "
-               "a hyrax.");
+    app.footer(
+        "A second start hands its options to the running daemon, without any option it spawns "
+        "a hyrax."
+    );
     DaemonCommandLine line;
     Raw raw;
     add_common(app, line.common, raw);
@@ -102,17 +115,24 @@ std::variant<DaemonCommandLine, Farewell> parse_daemon_arguments(
 std::variant<HeadlessCommandLine, Farewell> parse_headless_arguments(
     const std::vector<std::string>& arguments
 ) {
-    CLI::App app("hyrax-headless: the daemon without a desktop, on a virtual clock", "hyrax-headless");
+    CLI::App app(
+        "hyrax-headless: the daemon without a desktop, on a virtual clock", "hyrax-headless"
+    );
     HeadlessCommandLine line;
     Raw raw;
     add_common(app, line.common, raw);
-    app.add_option("--config", raw.config, "A config.json; sprites/ and scripts/ are looked for beside it");
+    app.add_option(
+        "--config", raw.config, "A config.json; sprites/ and scripts/ are looked for beside it"
+    );
     app.add_option("--script", raw.scripts, "A Lua script to run, may be repeated");
     app.add_option("--seconds", line.seconds, "How long to run [virtual seconds]")
         ->check(between(0.0, 1e6))
         ->capture_default_str();
-    app.add_option("--fps", line.fps, "Frames a second instead of the config's")->check(between(1.0, 1000.0));
-    app.add_option("--monitors", line.monitors, "WIDTHxHEIGHT+X+Y[,...]; the first one is the primary")
+    app.add_option("--fps", line.fps, "Frames a second instead of the config's")
+        ->check(between(1.0, 1000.0));
+    app.add_option(
+           "--monitors", line.monitors, "WIDTHxHEIGHT+X+Y[,...]; the first one is the primary"
+    )
         ->capture_default_str();
     app.add_option("--snapshot", raw.snapshot, "Write the last frame to this PNG file");
     if (std::optional<Farewell> farewell = parse(app, arguments)) {

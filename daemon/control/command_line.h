@@ -22,7 +22,8 @@ struct Farewell {
 struct CommonOptions {
     std::vector<Request> requests;  ///< In the order in which they were given.
     std::optional<std::filesystem::path> trace;
-    bool for_testing = false;  ///< A broken check aborts; pets without a place come in a fixed order.
+    bool for_testing =
+        false;  ///< A broken check aborts; pets without a place come in a fixed order.
 };
 
 struct DaemonCommandLine {

@@ -40,7 +40,10 @@ void blit(const PixelView& target, const Rect& clip, Point at, const Image& imag
     for (int y = part.y; y < part.bottom(); ++y) {
         const int source_x = source.x + part.x - at.x;
         const int source_y = source.y + y - at.y;
-        const Pixel* from = &image.pixels[static_cast<std::size_t>(source_y) * static_cast<std::size_t>(image.size.width) + static_cast<std::size_t>(source_x)];
+        const Pixel* from =
+            &image.pixels
+                 [static_cast<std::size_t>(source_y) * static_cast<std::size_t>(image.size.width) +
+                  static_cast<std::size_t>(source_x)];
         Pixel* to = row(target, part.x, y);
         for (int i = 0; i < part.width; ++i) {
             to[i] = source_over(from[i], to[i]);

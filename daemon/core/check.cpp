@@ -9,9 +9,7 @@ namespace hyrax {
 namespace {
 
 void print_and_abort(const char* condition, const std::source_location& where) {
-    std::fprintf(
-        stderr, "%s:%u: broken check: %s\n", where.file_name(), where.line(), condition
-    );
+    std::fprintf(stderr, "%s:%u: broken check: %s\n", where.file_name(), where.line(), condition);
     std::abort();
 }
 

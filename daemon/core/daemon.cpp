@@ -222,8 +222,10 @@ void Daemon::read_config() {
     config_.fps = fps_.value_or(config_.fps);
     spdlog::set_level(spdlog::level::from_str(config_.log_level));
     spdlog::info(
-        "settings: gravity {} px/s^2, restitution {}, {} frames/s", config_.engine.physics.gravity,
-        config_.engine.physics.restitution, config_.fps
+        "settings: gravity {} px/s^2, restitution {}, {} frames/s",
+        config_.engine.physics.gravity,
+        config_.engine.physics.restitution,
+        config_.fps
     );
     engine_.configure(config_.engine);
     pacer_.set_rate(config_.fps);

@@ -25,11 +25,11 @@ namespace hyrax {
 struct DaemonOptions {
     Profile profile;
     ImageDecoder decode;
-    std::unique_ptr<ScriptHost> scripts;   ///< None: scripts are not run.
+    std::unique_ptr<ScriptHost> scripts;  ///< None: scripts are not run.
     std::optional<Trace> trace;
-    std::vector<Request> requests;         ///< Carried out after the start-up pets have come.
-    std::optional<double> fps;             ///< Instead of the config's.
-    std::uint32_t seed = 1;                ///< For pets without a given place.
+    std::vector<Request> requests;  ///< Carried out after the start-up pets have come.
+    std::optional<double> fps;      ///< Instead of the config's.
+    std::uint32_t seed = 1;         ///< For pets without a given place.
 };
 
 class Daemon {

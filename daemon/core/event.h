@@ -9,7 +9,16 @@
 
 namespace hyrax {
 
-enum class EventKind : std::uint8_t { spawn, remove, grab, throw_pet, bounce, land, click, monitors };
+enum class EventKind : std::uint8_t {
+    spawn,
+    remove,
+    grab,
+    throw_pet,
+    bounce,
+    land,
+    click,
+    monitors
+};
 
 enum class Side : std::uint8_t { left, right, top, bottom };
 
@@ -19,11 +28,11 @@ enum class Button : std::uint8_t { left, right, middle };
 struct Event {
     EventKind kind = EventKind::spawn;
     PetId pet{};
-    Side side = Side::bottom;       ///< bounce
-    Button button = Button::left;   ///< click
-    double speed = 0.0;             ///< bounce, land: speed towards the side at the impact [px/s].
-    Vec2 velocity{};                ///< throw_pet [px/s]
-    std::string tag{};              ///< remove: the tag of the pet that is no more.
+    Side side = Side::bottom;      ///< bounce
+    Button button = Button::left;  ///< click
+    double speed = 0.0;            ///< bounce, land: speed towards the side at the impact [px/s].
+    Vec2 velocity{};               ///< throw_pet [px/s]
+    std::string tag{};             ///< remove: the tag of the pet that is no more.
 
     bool operator==(const Event&) const = default;
 };

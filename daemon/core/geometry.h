@@ -60,8 +60,12 @@ struct Rect {
 constexpr Rect intersection(const Rect& a, const Rect& b) {
     const int x = std::max(a.x, b.x);
     const int y = std::max(a.y, b.y);
-    return {x, y, std::max(0, std::min(a.right(), b.right()) - x),
-            std::max(0, std::min(a.bottom(), b.bottom()) - y)};
+    return {
+        x,
+        y,
+        std::max(0, std::min(a.right(), b.right()) - x),
+        std::max(0, std::min(a.bottom(), b.bottom()) - y)
+    };
 }
 
 /// The bounding box of both; an empty rectangle adds nothing.

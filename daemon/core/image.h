@@ -30,13 +30,20 @@ struct Image {
     Image() = default;
     explicit Image(Size image_size)
         : size(image_size),
-          pixels(static_cast<std::size_t>(image_size.width) * static_cast<std::size_t>(image_size.height)) {}
+          pixels(
+              static_cast<std::size_t>(image_size.width) *
+              static_cast<std::size_t>(image_size.height)
+          ) {}
 
     Pixel& at(int x, int y) {
-        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x)];
+        return pixels
+            [static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+             static_cast<std::size_t>(x)];
     }
     Pixel at(int x, int y) const {
-        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x)];
+        return pixels
+            [static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+             static_cast<std::size_t>(x)];
     }
 };
 
@@ -44,7 +51,8 @@ struct Image {
 inline constexpr std::size_t max_image_file_bytes = 16U << 20U;
 inline constexpr int max_image_side = 8192;
 
-/// Decodes a PNG file's bytes into premultiplied pixels. Each desktop brings its own (GDI+, libpng).
+/// Decodes a PNG file's bytes into premultiplied pixels. Each desktop brings its own (GDI+,
+/// libpng).
 using ImageDecoder = std::function<Result<Image>(std::span<const std::byte> file)>;
 
 }  // namespace hyrax

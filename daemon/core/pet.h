@@ -31,11 +31,11 @@ struct Pet {
     Ticks since = 0;  ///< When this motion began.
     bool awake = false;
     bool faces_left = false;
-    bool landed = false;            ///< The flight has met the floor.
-    int frames_on_floor = 0;        ///< Consecutive steps that ended on the floor.
+    bool landed = false;              ///< The flight has met the floor.
+    int frames_on_floor = 0;          ///< Consecutive steps that ended on the floor.
     std::optional<Ticks> stepped_at;  ///< Its last step; none before the first frame of a motion.
-    std::string owner;              ///< Name of a script or plugin, or "user".
-    std::string tag;                ///< Free text of the owner.
+    std::string owner;                ///< Name of a script or plugin, or "user".
+    std::string tag;                  ///< Free text of the owner.
 
     /// Top-left corner of the box, virtual desktop [px].
     Vec2 position() const { return {home.x + body.x(), home.y + body.y()}; }

@@ -81,7 +81,8 @@ LoadedKinds load_kinds(const Profile& profile, const ImageDecoder& decode) {
     if (!has_hyrax) {
         loaded.problems.push_back(fmt::format(
             "no sprite set \"hyrax\" in {} or {}: showing a plain round pet instead",
-            text_of(profile.user / "sprites"), text_of(profile.shipped / "config" / "sprites")
+            text_of(profile.user / "sprites"),
+            text_of(profile.shipped / "config" / "sprites")
         ));
         loaded.sets.insert(loaded.sets.begin(), placeholder_sprite_set("hyrax"));
     }
@@ -112,8 +113,10 @@ LoadedScripts load_scripts(const Profile& profile, const std::vector<std::string
             chosen.emplace(pattern, shipped / name);
         } else {
             loaded.problems.push_back(fmt::format(
-                "config.json: /scripts/run: there is no script \"{}\" in {} or {}", pattern,
-                text_of(own), text_of(shipped)
+                "config.json: /scripts/run: there is no script \"{}\" in {} or {}",
+                pattern,
+                text_of(own),
+                text_of(shipped)
             ));
         }
     }
@@ -142,9 +145,9 @@ bool matches(std::string_view pattern, std::string_view name) {
     std::optional<std::size_t> star;
     std::size_t star_end = 0;
     while (position < name.size()) {
-        const bool one = at < pattern.size() && pattern[at] != '*' &&
-                         (pattern[at] == name[position] ||
-                          (pattern[at] == '?' && name[position] != '/'));
+        const bool one =
+            at < pattern.size() && pattern[at] != '*' &&
+            (pattern[at] == name[position] || (pattern[at] == '?' && name[position] != '/'));
         if (one) {
             ++at;
             ++position;
@@ -174,10 +177,20 @@ Result<void> prepare(const Profile& profile) {
         fs::copy_file(profile.shipped / "config" / "config.json", profile.config, error);
         if (error) {
             return failure(fmt::format(
-                "{}: cannot be copied from the shipped one: {}", text_of(profile.config),
+                "{}: cannot be copied from the shipped one: {}",
+                text_of(profile.config),
                 error.message()
             ));
         }
+    }
+    // The schemas describe this program's keys, whatever an older one has left here.
+    for (const char* schema : {"schema.json", "sprite.schema.json"}) {
+        fs::copy_file(
+            profile.shipped / "config" / schema,
+            profile.user / schema,
+            fs::copy_options::overwrite_existing,
+            error
+        );
     }
     return {};
 }

@@ -25,8 +25,9 @@ struct LoadedKinds {
     std::vector<std::string> problems;  ///< One line for each set that could not be read.
 };
 
-/// Reads every folder with a sprite.json in user/sprites and shipped/config/sprites, sorted by name.
-/// A set that cannot be read is left out; where no "hyrax" can be read, a placeholder takes its place.
+/// Reads every folder with a sprite.json in user/sprites and shipped/config/sprites, sorted by
+/// name. A set that cannot be read is left out; where no "hyrax" can be read, a placeholder takes
+/// its place.
 LoadedKinds load_kinds(const Profile& profile, const ImageDecoder& decode);
 
 struct LoadedScripts {
@@ -44,7 +45,7 @@ LoadedScripts load_scripts(const Profile& profile, const std::vector<std::string
 bool matches(std::string_view pattern, std::string_view name);
 
 /// Makes the user's folder with scripts/ and sprites/ and a copy of the shipped config.json, as far
-/// as they are missing. Never overwrites.
+/// as they are missing. Overwrites nothing but the schemas, which editors look for beside it.
 [[nodiscard]] Result<void> prepare(const Profile& profile);
 
 }  // namespace hyrax

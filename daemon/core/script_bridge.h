@@ -18,8 +18,8 @@ public:
 
     /// Replaces all scripts; they start with the next run().
     void load(std::vector<ScriptSource> sources);
-    /// Hands over the engine's events, runs what is due at `now` and applies the commands. A command
-    /// that fails is logged; one for a pet that has gone meanwhile is dropped.
+    /// Hands over the engine's events, runs what is due at `now` and applies the commands. A
+    /// command that fails is logged; one for a pet that has gone meanwhile is dropped.
     void run(Engine& engine, const std::vector<Monitor>& monitors, Ticks now);
     /// When run() has something to do, apart from events.
     Ticks next_wake() const { return next_wake_; }
@@ -27,9 +27,8 @@ public:
 private:
     PetKey key_of(PetId id) const;
     PetId id_of(PetKey key) const;
-    ScriptWorld snapshot(
-        const Engine& engine, const std::vector<Monitor>& monitors, Ticks now
-    ) const;
+    ScriptWorld snapshot(const Engine& engine, const std::vector<Monitor>& monitors, Ticks now)
+        const;
     void apply(Engine& engine, const ScriptCommand& command);
     void forget_removed(const Engine& engine);
 

@@ -51,9 +51,7 @@ public:
     }
 
     /// Null when the id is stale.
-    T* find(SlotId id) {
-        return const_cast<T*>(std::as_const(*this).find(id));
-    }
+    T* find(SlotId id) { return const_cast<T*>(std::as_const(*this).find(id)); }
     const T* find(SlotId id) const {
         if (id.index >= slots_.size() || slots_[id.index].generation != id.generation) {
             return nullptr;

@@ -41,8 +41,7 @@ Shown settled_pose(const SpriteSet& set, Ticks elapsed, Ticks drowsy_after) {
 // The pet's box stands where physics says; the cell hangs around it.
 Point cell_corner(const SpriteSet& set, const Pet& pet) {
     const Vec2 box = pet.position();
-    const int inset =
-        pet.faces_left ? set.cell.width - set.box.x - set.box.width : set.box.x;
+    const int inset = pet.faces_left ? set.cell.width - set.box.x - set.box.width : set.box.x;
     return {
         static_cast<int>(std::lround(box.x)) - inset,
         static_cast<int>(std::lround(box.y)) - set.box.y,
@@ -70,7 +69,8 @@ Staged staged(
     result.frame.sprites.reserve(engine.size());
     engine.for_each([&](PetId id, const Pet& pet) {
         const SpriteSet& set = sets[pet.kind];
-        const Shown shown = pose(set, pet.motion, std::max<Ticks>(0, now - pet.since), drowsy_after);
+        const Shown shown =
+            pose(set, pet.motion, std::max<Ticks>(0, now - pet.since), drowsy_after);
         result.frame.sprites.push_back({
             .image = pet.faces_left ? &set.mirrored : &set.sheet,
             .source = set.cell_rect(shown.cell),

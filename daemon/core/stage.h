@@ -11,8 +11,8 @@
 
 namespace hyrax {
 
-/// The cell for a motion that began `elapsed` ago: a settled pet lands, sits for `drowsy_after`, lies
-/// down, and after a few breaths changes no more.
+/// The cell for a motion that began `elapsed` ago: a settled pet lands, sits for `drowsy_after`,
+/// lies down, and after a few breaths changes no more.
 Shown pose(const SpriteSet& set, Motion motion, Ticks elapsed, Ticks drowsy_after);
 
 struct Staged {
@@ -21,6 +21,8 @@ struct Staged {
 };
 
 /// `sets[i]` holds the pictures of `engine.kinds()[i]` and must outlive the frame.
-Staged staged(const Engine& engine, const std::vector<SpriteSet>& sets, Ticks now, Ticks drowsy_after);
+Staged staged(
+    const Engine& engine, const std::vector<SpriteSet>& sets, Ticks now, Ticks drowsy_after
+);
 
 }  // namespace hyrax

@@ -40,8 +40,16 @@ void Trace::write(const Engine& engine, Ticks now) {
         const Vec2 at = pet.position();
         const Vec2 v = pet.velocity();
         file_ << fmt::format(
-            "{:.9f},{},{},{},{:.17g},{:.17g},{:.17g},{:.17g},{}\n", time, id.index, id.generation,
-            engine.kinds()[pet.kind].name, at.x, at.y, v.x, v.y, motion_name(pet.motion)
+            "{:.9f},{},{},{},{:.17g},{:.17g},{:.17g},{:.17g},{}\n",
+            time,
+            id.index,
+            id.generation,
+            engine.kinds()[pet.kind].name,
+            at.x,
+            at.y,
+            v.x,
+            v.y,
+            motion_name(pet.motion)
         );
     });
     // Whoever follows the file sees whole frames.

@@ -13,7 +13,9 @@ HeadlessDesktop::HeadlessDesktop(std::vector<Monitor> monitors, Ticks end)
 
 void HeadlessDesktop::add(TimedInput input) {
     const auto place = std::upper_bound(
-        inputs_.begin() + static_cast<std::ptrdiff_t>(next_), inputs_.end(), input,
+        inputs_.begin() + static_cast<std::ptrdiff_t>(next_),
+        inputs_.end(),
+        input,
         [](const TimedInput& a, const TimedInput& b) { return a.time < b.time; }
     );
     inputs_.insert(place, std::move(input));

@@ -42,7 +42,9 @@ Pixel straight(Pixel premultiplied_pixel) {
         return 0;
     }
     const auto scaled = [alpha, premultiplied_pixel](unsigned shift) {
-        return channel((((premultiplied_pixel >> shift) & 0xffU) * 255U + alpha / 2U) / alpha, shift);
+        return channel(
+            (((premultiplied_pixel >> shift) & 0xffU) * 255U + alpha / 2U) / alpha, shift
+        );
     };
     return channel(alpha, 24) | scaled(16) | scaled(8) | scaled(0);
 }
@@ -57,8 +59,11 @@ Result<Image> decode_png(std::span<const std::byte> file) {
     constexpr auto limit = static_cast<png_uint_32>(max_image_side);
     if (png->width == 0 || png->height == 0 || png->width > limit || png->height > limit) {
         return failure(fmt::format(
-            "the picture is {} x {} pixels; at most {} x {} are allowed", png->width, png->height,
-            limit, limit
+            "the picture is {} x {} pixels; at most {} x {} are allowed",
+            png->width,
+            png->height,
+            limit,
+            limit
         ));
     }
     png->format = PNG_FORMAT_BGRA;

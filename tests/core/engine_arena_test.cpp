@@ -6,9 +6,9 @@ using namespace hyrax;
 
 TEST_CASE("pets on a monitor that goes away move to the nearest one and stay alive") {
     World world;
-    world.engine.set_arena(
-        Arena({monitor({0, 0, 1920, 1080}), monitor({-1600, -200, 1600, 900})}, FloorEdge::work_area)
-    );
+    world.engine.set_arena(Arena(
+        {monitor({0, 0, 1920, 1080}), monitor({-1600, -200, 1600, 900})}, FloorEdge::work_area
+    ));
     const PetId left = world.spawn({-1200.0, 100.0}, {50.0, 0.0});
     const PetId right = world.spawn({600.0, 100.0}, {50.0, 0.0});
     CHECK(world.pet(left).home == Rect{-1600, -200, 1600, 900});

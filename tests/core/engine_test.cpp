@@ -175,9 +175,10 @@ TEST_CASE("numbers that are not finite are refused and change nothing") {
     const PetId id = world.spawn({300.0, 200.0}, {10.0, 20.0});
     world.run(0.1);
     const Pet before = world.pet(id);
-    for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
-                             std::numeric_limits<double>::infinity(),
-                             -std::numeric_limits<double>::infinity()}) {
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(),
+          std::numeric_limits<double>::infinity(),
+          -std::numeric_limits<double>::infinity()}) {
         CAPTURE(bad);
         for (const Vec2 numbers : {Vec2{bad, 0.0}, Vec2{0.0, bad}}) {
             CHECK_FALSE(world.engine.fling(id, numbers));
@@ -200,7 +201,9 @@ TEST_CASE("huge numbers are shortened, and the pet stays in the arena") {
     World world;
     const double huge = std::numeric_limits<double>::max();
     const PetId id = world.spawn({huge, -huge}, {huge, huge});
-    CHECK(std::hypot(world.pet(id).velocity().x, world.pet(id).velocity().y) <= 20'000.0 * (1 + 1e-12));
+    CHECK(
+        std::hypot(world.pet(id).velocity().x, world.pet(id).velocity().y) <= 20'000.0 * (1 + 1e-12)
+    );
     CHECK(world.pet(id).position() == Vec2{1920.0 - box.width, 0.0});
     CHECK(world.engine.push(id, {huge, huge}));
     CHECK(world.engine.push(id, {huge, huge}));

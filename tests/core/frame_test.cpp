@@ -141,7 +141,8 @@ TEST_CASE("drawing is clipped at every edge of the target") {
             for (int v = 0; v < 24; ++v) {
                 for (int u = 0; u < 24; ++u) {
                     const Point local{u - 8, v - 8};
-                    const bool inside = Rect{0, 0, 8, 8}.contains(local) && Rect{x, y, 4, 4}.contains(local);
+                    const bool inside =
+                        Rect{0, 0, 8, 8}.contains(local) && Rect{x, y, 4, 4}.contains(local);
                     REQUIRE(canvas.at(u, v) == (inside ? 0xffffffffU : 0U));
                 }
             }
@@ -151,7 +152,9 @@ TEST_CASE("drawing is clipped at every edge of the target") {
 
 TEST_CASE("composing a dirty rectangle leaves the rest alone and equals a full redraw") {
     const Image ink = filled({6, 6}, 0x80402010U);
-    const Frame before{{{&ink, {0, 0, 6, 6}, {-30, 4}, {1, 1}}, {&ink, {0, 0, 6, 6}, {-12, 4}, {2, 1}}}};
+    const Frame before{
+        {{&ink, {0, 0, 6, 6}, {-30, 4}, {1, 1}}, {&ink, {0, 0, 6, 6}, {-12, 4}, {2, 1}}}
+    };
     Frame after = before;
     after.sprites[0].at = {-28, 5};
     const Point origin{-40, -10};
@@ -159,7 +162,12 @@ TEST_CASE("composing a dirty rectangle leaves the rest alone and equals a full r
 
     Image partly(Size{60, 40});
     compose(PixelView(partly), origin, whole, before);
-    compose(PixelView(partly), origin, united(before.sprites[0].bounds(), after.sprites[0].bounds()), after);
+    compose(
+        PixelView(partly),
+        origin,
+        united(before.sprites[0].bounds(), after.sprites[0].bounds()),
+        after
+    );
     Image fully(Size{60, 40});
     compose(PixelView(fully), origin, whole, after);
     CHECK(partly.pixels == fully.pixels);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/core/profile.h"
+
 #include "tests/support/temporary_folder.h"
 
 #include <doctest/doctest.h>
@@ -60,7 +61,9 @@ TEST_CASE("scripts come from the user's folder, named ones also from the shipped
     const Profile profile = profile_in(folder);
 
     CHECK(names(load_scripts(profile, {"*.lua"})) == std::vector<std::string>{"a.lua", "b.lua"});
-    CHECK(names(load_scripts(profile, {"deeper/*.lua"})) == std::vector<std::string>{"deeper/c.lua"});
+    CHECK(
+        names(load_scripts(profile, {"deeper/*.lua"})) == std::vector<std::string>{"deeper/c.lua"}
+    );
     CHECK(
         names(load_scripts(profile, {"examples/fountain.lua", "a.lua", "a.lua"})) ==
         std::vector<std::string>{"a.lua", "examples/fountain.lua"}
@@ -99,9 +102,12 @@ TEST_CASE("without a readable sprite set there is still a pet to show") {
 TEST_CASE("preparing a profile makes what is missing and overwrites nothing") {
     const TemporaryFolder folder;
     folder.write("shipped/config/config.json", "{\"overlay\": {\"fps\": 30}}");
+    folder.write("shipped/config/schema.json", "new");
+    folder.write("user/schema.json", "old");
     const Profile profile = profile_in(folder);
     REQUIRE(prepare(profile));
     CHECK(folder.read("user/config.json") == "{\"overlay\": {\"fps\": 30}}");
+    CHECK(folder.read("user/schema.json") == "new");
     CHECK(std::filesystem::is_directory(profile.user / "scripts"));
 
     folder.write("user/config.json", "{}");

@@ -35,8 +35,10 @@ private:
 };
 
 struct Stage {
-    Stage() : engine({{"hyrax", {10, 10}}}, {}, 1), bridge(std::make_unique<RecordingHost>(recorder)) {
-        engine.set_arena(Arena({{{0, 0, 800, 600}, {0, 0, 800, 600}, true, {}}}, FloorEdge::screen));
+    Stage()
+        : engine({{"hyrax", {10, 10}}}, {}, 1), bridge(std::make_unique<RecordingHost>(recorder)) {
+        engine.set_arena(Arena({{{0, 0, 800, 600}, {0, 0, 800, 600}, true, {}}}, FloorEdge::screen)
+        );
         recorder.answer.listening = EventMask::all();
         bridge.load({{"test.lua", ""}});
     }
@@ -61,7 +63,9 @@ TEST_CASE("without scripts nothing runs and nothing wakes") {
 
 TEST_CASE("a pet keeps the key that its script made") {
     Stage stage;
-    stage.recorder.answer.commands = {command::Spawn{key, {.at = Vec2{5.0, 6.0}, .owner = "test.lua"}}};
+    stage.recorder.answer.commands = {
+        command::Spawn{key, {.at = Vec2{5.0, 6.0}, .owner = "test.lua"}}
+    };
     stage.run();
     REQUIRE(stage.engine.size() == 1);
 

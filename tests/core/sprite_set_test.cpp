@@ -245,6 +245,8 @@ TEST_CASE("sprite set: the box lies within the cell") {
         "sprite.json:4:38: /box/width: must be a whole number from 1 to 3, got 4"
     );
     CHECK(complaint_about("\"width\": 3", "\"width\": 0").contains("/box/width: "));
+    CHECK(complaint_about("{\"x\": 1, \"y\": 0,", "{\"x\": 1, \"y\": 1,")
+              .contains("/box/height: must be a whole number from 1 to 1, got 2"));
     CHECK(complaint_about("{\"x\": 1, \"y\": 0,", "{\"x\": 1, \"y\": 2,").contains("/box/y: "));
     CHECK(complaint_about("{\"x\": 1, \"y\": 0,", "{\"x\": -1, \"y\": 0,").contains("/box/x: "));
 }

@@ -64,9 +64,13 @@ TEST_CASE("a pet is grabbed, carried, thrown, and flies the way the hand moved")
             }
         }
         const Ticks time = from_seconds(3.305);
-        recorded.desktop.add({time, input::Released{{grip.x - 300, grip.y - 400}, Button::left, time}});
+        recorded.desktop.add(
+            {time, input::Released{{grip.x - 300, grip.y - 400}, Button::left, time}}
+        );
     });
-    recorded.look(3.2, [&](const Daemon& daemon) { CHECK(only_pet(daemon).motion == Motion::held); });
+    recorded.look(3.2, [&](const Daemon& daemon) {
+        CHECK(only_pet(daemon).motion == Motion::held);
+    });
     recorded.look(3.31, [&](const Daemon& daemon) {
         const Pet& pet = only_pet(daemon);
         CHECK(pet.motion == Motion::airborne);
@@ -81,7 +85,9 @@ TEST_CASE("a press beside every pet grabs nothing") {
     RecordedDaemon recorded(3.0);
     recorded.config(one_pet_in_the_middle);
     recorded.at(2.0, input::Pressed{{10, 10}, Button::left, from_seconds(2.0)});
-    recorded.look(2.5, [&](const Daemon& daemon) { CHECK(only_pet(daemon).motion != Motion::held); });
+    recorded.look(2.5, [&](const Daemon& daemon) {
+        CHECK(only_pet(daemon).motion != Motion::held);
+    });
     recorded.run();
 }
 
@@ -104,7 +110,9 @@ TEST_CASE("losing the pointer drops the pet in place") {
 
 TEST_CASE("saving config.json changes moving pets at once, a broken file keeps the last good one") {
     RecordedDaemon recorded(3.0);
-    recorded.config(R"({"physics": {"gravity": 100, "air_drag": 1}, "pets": {"start": [{"x": 500, "y": 0}]}})");
+    recorded.config(
+        R"({"physics": {"gravity": 100, "air_drag": 1}, "pets": {"start": [{"x": 500, "y": 0}]}})"
+    );
     recorded.change_file(0.5, "config.json", R"({"physics": {"gravity": 0, "air_drag": 1}})");
     double speed = 0.0;
     recorded.look(0.6, [&](const Daemon& daemon) {
@@ -215,8 +223,12 @@ TEST_CASE("remove all empties the desktop, reload keeps the pets") {
 TEST_CASE("monitors that go away for a moment change nothing; new ones are used") {
     RecordedDaemon recorded(5.0, {screen({0, 0, 800, 600}), screen({-800, 0, 800, 600})});
     recorded.config(R"({"pets": {"start": [{"x": -500, "y": 0}]}})");
-    recorded.desktop.add({from_seconds(1.0), input::MonitorsChanged{}, [&] { recorded.desktop.set_monitors({}); }});
-    recorded.look(2.0, [](const Daemon& daemon) { CHECK(only_pet(daemon).position().x == -500.0); });
+    recorded.desktop.add({from_seconds(1.0), input::MonitorsChanged{}, [&] {
+                              recorded.desktop.set_monitors({});
+                          }});
+    recorded.look(2.0, [](const Daemon& daemon) {
+        CHECK(only_pet(daemon).position().x == -500.0);
+    });
     recorded.desktop.add({
         from_seconds(3.0),
         input::MonitorsChanged{},
@@ -237,7 +249,11 @@ TEST_CASE("the same input gives the same trace, byte for byte") {
         )");
         recorded.requests = {Request{request::FlingAll{}}};
         DaemonOptions options{
-            .profile = {recorded.folder.path() / "config.json", recorded.folder.path(), HYRAX_SOURCE_DIR, {}},
+            .profile =
+                {recorded.folder.path() / "config.json",
+                 recorded.folder.path(),
+                 HYRAX_SOURCE_DIR,
+                 {}},
             .decode = decode_png,
             .scripts = make_script_host({}),
             .trace = std::move(*Trace::open(recorded.folder.path() / "trace.csv")),
@@ -255,10 +271,12 @@ TEST_CASE("the same input gives the same trace, byte for byte") {
 TEST_CASE("every shipped example runs for a minute and keeps its pets in the arena") {
     for (const char* example : {"fountain", "juggling", "earthquake"}) {
         CAPTURE(example);
-        RecordedDaemon recorded(60.0, {screen({0, 0, 1280, 720}), screen({-1024, -100, 1024, 768})});
+        RecordedDaemon recorded(
+            60.0, {screen({0, 0, 1280, 720}), screen({-1024, -100, 1024, 768})}
+        );
         recorded.config(
-            std::string(R"({"pets": {"start": [{"count": 3}]}, "scripts": {"run": ["examples/)") + example +
-            R"(.lua"]}})"
+            std::string(R"({"pets": {"start": [{"count": 3}]}, "scripts": {"run": ["examples/)") +
+            example + R"(.lua"]}})"
         );
         recorded.look(30.0, [](const Daemon& daemon) { CHECK(daemon.engine().size() >= 1); });
         recorded.run();
@@ -266,7 +284,9 @@ TEST_CASE("every shipped example runs for a minute and keeps its pets in the are
         CHECK(recorded.desktop.statuses().back().problem.empty());
         recorded.daemon->engine().for_each([](PetId, const Pet& pet) {
             CHECK(std::isfinite(pet.position().x));
-            CHECK(pet.home.contains(Point{static_cast<int>(pet.position().x), static_cast<int>(pet.position().y)}));
+            CHECK(pet.home.contains(
+                Point{static_cast<int>(pet.position().x), static_cast<int>(pet.position().y)}
+            ));
         });
     }
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The recorder itself, the command lines and the picture files.
-#include "daemon/control/command_line.h"
 #include "daemon/headless/headless_desktop.h"
+
+#include "daemon/control/command_line.h"
 #include "daemon/headless/monitor_list.h"
 #include "daemon/headless/png_file.h"
 #include "tests/support/temporary_folder.h"
@@ -40,8 +41,18 @@ TEST_CASE("monitors are read from text") {
     CHECK((*two)[1].bounds == Rect{-1600, -200, 1600, 900});
     CHECK_FALSE((*two)[1].primary);
     CHECK(parse_monitors("")->empty());
-    for (const char* wrong : {"1920", "1920x", "1920x1080", "1920x1080+0", "0x100+0+0", "-5x100+0+0",
-                              "1920x1080+0+0x", "99999x1+0+0", "1x1+999999+0", "1920x1080++0+0", ","}) {
+    for (const char* wrong :
+         {"1920",
+          "1920x",
+          "1920x1080",
+          "1920x1080+0",
+          "0x100+0+0",
+          "-5x100+0+0",
+          "1920x1080+0+0x",
+          "99999x1+0+0",
+          "1x1+999999+0",
+          "1920x1080++0+0",
+          ","}) {
         CAPTURE(wrong);
         const auto refused = parse_monitors(wrong);
         REQUIRE_FALSE(refused);
@@ -69,8 +80,22 @@ TEST_CASE("a picture survives a PNG file, premultiplied to within rounding") {
 
 TEST_CASE("command lines") {
     const auto parsed = parse_headless_arguments(
-        {"--seconds", "2.5", "--fps", "144", "--script", "a.lua", "--script", "b.lua", "--monitors",
-         "800x600+0+0", "--trace", "t.csv", "--for-testing", "--spawn", "4", "--fling-all"}
+        {"--seconds",
+         "2.5",
+         "--fps",
+         "144",
+         "--script",
+         "a.lua",
+         "--script",
+         "b.lua",
+         "--monitors",
+         "800x600+0+0",
+         "--trace",
+         "t.csv",
+         "--for-testing",
+         "--spawn",
+         "4",
+         "--fling-all"}
     );
     const auto* line = std::get_if<HeadlessCommandLine>(&parsed);
     REQUIRE(line != nullptr);
@@ -88,7 +113,12 @@ TEST_CASE("command lines") {
     CHECK(std::get<Farewell>(help).text.contains("--profile"));
 
     for (const std::vector<std::string>& wrong : std::vector<std::vector<std::string>>{
-             {"--spwan", "3"}, {"--spawn", "0"}, {"--spawn", "many"}, {"--seconds", "nan"}, {"stray"}}) {
+             {"--spwan", "3"},
+             {"--spawn", "0"},
+             {"--spawn", "many"},
+             {"--seconds", "nan"},
+             {"stray"}
+         }) {
         CAPTURE(wrong[0]);
         const auto answer = parse_headless_arguments(wrong);
         REQUIRE(std::holds_alternative<Farewell>(answer));

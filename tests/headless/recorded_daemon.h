@@ -52,12 +52,13 @@ public:
 
     void run() {
         DaemonOptions options{
-            .profile = {
-                .config = folder.path() / "config.json",
-                .user = folder.path(),
-                .shipped = HYRAX_SOURCE_DIR,
-                .more_scripts = {},
-            },
+            .profile =
+                {
+                    .config = folder.path() / "config.json",
+                    .user = folder.path(),
+                    .shipped = HYRAX_SOURCE_DIR,
+                    .more_scripts = {},
+                },
             .decode = decode_png,
             .scripts = make_script_host({}),
             .trace = {},

@@ -125,7 +125,8 @@ TEST_CASE("the position is the top-left corner: the bounds are 0 and screen minu
 }
 
 TEST_CASE("restitution is a ratio of speeds, so a bounce keeps its square of the energy") {
-    physics p = body(10.0, 900.0, 0.0, 100.0, {.gravity = 0.0, .restitution = 0.6, .air_drag = 1.0});
+    physics p =
+        body(10.0, 900.0, 0.0, 100.0, {.gravity = 0.0, .restitution = 0.6, .air_drag = 1.0});
     p.update(0.5, 1000, 1000, 100, 100);
     CHECK(p.vy() == -60.0);
     CHECK(p.vy() * p.vy() == doctest::Approx(0.36 * 100.0 * 100.0));
@@ -140,11 +141,17 @@ TEST_CASE("the document's scene, bit for bit") {
         }
     };
     run(1);
-    check_state(p, 0x1.b7f5c28f5c28fp+6, 0x1.54fdf3b645a1dp-2, 0x1.2bb3333333333p+9, 0x1.3fae147ae147bp+4);
+    check_state(
+        p, 0x1.b7f5c28f5c28fp+6, 0x1.54fdf3b645a1dp-2, 0x1.2bb3333333333p+9, 0x1.3fae147ae147bp+4
+    );
     run(1);
-    check_state(p, 0x1.dfe14a4d2b2c0p+6, 0x1.ff5147f130596p-1, 0x1.2b667a0f9096cp+9, 0x1.3f852934acb00p+5);
+    check_state(
+        p, 0x1.dfe14a4d2b2c0p+6, 0x1.ff5147f130596p-1, 0x1.2b667a0f9096cp+9, 0x1.3f852934acb00p+5
+    );
     run(58);
-    check_state(p, 0x1.550701bbad974p+9, 0x1.2ac9dfe31ea1ap+9, 0x1.1a85584de7bcap+9, 0x1.230701bbad973p+10);
+    check_state(
+        p, 0x1.550701bbad974p+9, 0x1.2ac9dfe31ea1ap+9, 0x1.1a85584de7bcap+9, 0x1.230701bbad973p+10
+    );
     run(17);
     check_state(p, 0x1.a45bbcf79494dp+9, 952.0, 0x1.bc68f64c25ffdp+8, -0x1.bc6e15f5e57f3p+9);
     run(223);

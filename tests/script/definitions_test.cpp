@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // scripts/hyrax.d.lua describes exactly what exists.
-#include "daemon/script/schedule.h"
 #include "tests/script/fake_world.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 using namespace hyrax;
 
@@ -18,27 +18,41 @@ namespace {
 
 using Names = std::set<std::string>;
 
+// The letters, digits and underscores at the front.
+std::string_view word(std::string_view text) {
+    const auto is_word = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+    const auto end = std::ranges::find_if_not(text, is_word);
+    return text.substr(0, static_cast<std::size_t>(end - text.begin()));
+}
+
+// Removes the prefix; false if the text does not begin with it.
+bool skip(std::string_view& text, std::string_view prefix) {
+    if (!text.starts_with(prefix)) {
+        return false;
+    }
+    text.remove_prefix(prefix.size());
+    return true;
+}
+
 // "Class.name" for each documented field and function, "event.name" for each event.
 Names documented() {
     std::ifstream file(HYRAX_SOURCE_DIR "/scripts/hyrax.d.lua");
     REQUIRE(file.good());
-    const std::regex class_line(R"(---@class hyrax\.?(\w*).*)");
-    const std::regex field_line(R"(---@field (?:readonly )?(\w+)\?? .*)");
-    const std::regex function_line(R"(function (\w+)[.:](\w+)\(.*)");
-    const std::regex event_line(R"re(---\| "(\w+)".*)re");
     Names names;
     std::string current;
-    std::string line;
-    std::smatch match;
-    while (std::getline(file, line)) {
-        if (std::regex_match(line, match, class_line)) {
-            current = match[1].length() == 0 ? "hyrax" : match[1].str();
-        } else if (std::regex_match(line, match, field_line)) {
-            names.insert(current + "." + match[1].str());
-        } else if (std::regex_match(line, match, function_line)) {
-            names.insert(match[1].str() + "." + match[2].str());
-        } else if (std::regex_match(line, match, event_line)) {
-            names.insert("event." + match[1].str());
+    for (std::string line; std::getline(file, line);) {
+        std::string_view rest = line;
+        if (skip(rest, "---@class hyrax")) {
+            current = skip(rest, ".") ? word(rest) : "hyrax";
+        } else if (skip(rest, "---@field ")) {
+            skip(rest, "readonly ");
+            names.insert(current + "." + std::string(word(rest)));
+        } else if (skip(rest, "function ")) {
+            const std::string owner(word(rest));
+            rest.remove_prefix(owner.size() + 1);
+            names.insert(owner + "." + std::string(word(rest)));
+        } else if (skip(rest, "---| \"")) {
+            names.insert("event." + std::string(word(rest)));
         }
     }
     return names;
@@ -47,13 +61,13 @@ Names documented() {
 // The names that an error message lists, when it knows nothing near.
 void add_listed(Names& names, const std::string& prefix, const std::string& text) {
     const std::string error = errors_of(text);
-    const std::regex listed(R"(\(there are: ([\w, ]+)\))");
-    std::smatch match;
-    REQUIRE_MESSAGE(std::regex_search(error, match, listed), error);
-    std::istringstream words(match[1].str());
-    for (std::string word; words >> word;) {
-        std::erase(word, ',');
-        names.insert(prefix + "." + word);
+    const std::string_view opening = "(there are: ";
+    const std::size_t start = error.find(opening);
+    REQUIRE_MESSAGE(start != std::string::npos, error);
+    const std::size_t end = error.find(')', start);
+    std::istringstream words(error.substr(start + opening.size(), end - start - opening.size()));
+    for (std::string name; words >> name;) {
+        names.insert(prefix + "." + std::string(word(name)));
     }
 }
 
