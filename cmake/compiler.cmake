@@ -28,7 +28,13 @@ set(hyrax_clang_warnings
     -Wnon-virtual-dtor -Woverloaded-virtual -Wformat=2)
 
 function(hyrax_defaults target)
-    target_compile_features(${target} PRIVATE cxx_std_23)
+    # For those who include its headers as well, so that each header can be compiled alone.
+    get_target_property(type ${target} TYPE)
+    if(type STREQUAL "EXECUTABLE")
+        target_compile_features(${target} PRIVATE cxx_std_23)
+    else()
+        target_compile_features(${target} PUBLIC cxx_std_23)
+    endif()
     set_target_properties(${target} PROPERTIES
         CXX_STANDARD 23
         CXX_STANDARD_REQUIRED ON

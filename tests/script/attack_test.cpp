@@ -65,6 +65,10 @@ TEST_CASE("an endless loop is stopped, wherever it hides") {
                    "local co = coroutine.create(function() "
                    "local x <close> = setmetatable({}, mt) coroutine.yield() end) "
                    "coroutine.resume(co) coroutine.close(co)");
+    must_be_killed(
+        "local x <close> = setmetatable({}, { __close = function() while true do end end }) "
+        "while true do end"
+    );
     must_be_killed("hyrax.task(function() while true do end end) while true do end");
     must_be_killed("local function f() coroutine.wrap(f)() end while true do pcall(f) end");
     must_be_killed("table.sort({ 3, 2, 1 }, function() while true do end end)");

@@ -49,6 +49,14 @@ TEST_CASE("errors in handlers, timers and waiting coroutines are reported and no
     CHECK(world.said() == "click\n");
 }
 
+TEST_CASE("what is to be closed is closed after an error") {
+    FakeWorld world;
+    world.load("local x <close> = setmetatable({}, { __close = function() print('closed') end }) "
+               "hyrax.wait(0.1) error('x')");
+    world.play(0.2);
+    CHECK(world.said() == "closed\n");
+}
+
 TEST_CASE("what is raised need not be a text") {
     CHECK(errors_of("error({ code = 5 })").starts_with("test.lua:1: the error object is a table"));
     CHECK(errors_of("error(nil)").contains("the error object is a nil value"));
