@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace hyrax::script {
@@ -69,7 +70,7 @@ private:
     std::int64_t budget_ = 0;
     std::int64_t units_ = INT64_MAX;
     std::chrono::nanoseconds time_{};
-    std::chrono::nanoseconds started_{};
+    std::optional<std::chrono::nanoseconds> half_time_;  // Processor time at about the half of it.
     std::chrono::steady_clock::time_point deadline_ = std::chrono::steady_clock::time_point::max();
     std::size_t heap_ = 0;
     bool killed_ = false;

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <random>
 
 using namespace hyrax;
@@ -110,7 +111,8 @@ TEST_CASE("source-over rounds each channel to the nearest value") {
     std::mt19937 random(7);
     for (int i = 0; i < 200'000; ++i) {
         const auto up_to = [&random](Pixel limit) {
-            return static_cast<Pixel>(random() % (limit + 1U));
+            const std::uint64_t number = random();
+            return static_cast<Pixel>(number % (limit + 1U));
         };
         const auto premultiplied = [&up_to] {
             const Pixel a = up_to(255);

@@ -250,7 +250,11 @@ TEST_CASE("only processor time counts against a script, not time on the wall") {
         .load_time = std::chrono::milliseconds(100),
         .processor_time = processor_time
     };
-    const std::string errors = errors_of("while true do end", limits);
+    const std::string errors = errors_of(
+        "local x <close> = setmetatable({}, { __close = function() while true do end end }) "
+        "while true do end",
+        limits
+    );
     CHECK(errors.contains("used more than 100 ms of processor time in one call"));
 }
 
