@@ -184,13 +184,14 @@ Result<void> prepare(const Profile& profile) {
         }
     }
     // The schemas describe this program's keys, whatever an older one has left here.
+    // Not fs::copy_file: in mingw-w64's library it never overwrites.
     for (const char* schema : {"schema.json", "sprite.schema.json"}) {
-        fs::copy_file(
-            profile.shipped / "config" / schema,
-            profile.user / schema,
-            fs::copy_options::overwrite_existing,
-            error
-        );
+        if (const auto text =
+                read_text_file(profile.shipped / "config" / schema, max_script_bytes)) {
+            if (auto written = write_file_atomically(profile.user / schema, *text); !written) {
+                return written;
+            }
+        }
     }
     return {};
 }
