@@ -9,6 +9,7 @@
 #include "daemon/core/ticks.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -33,7 +34,7 @@ struct PetView {
     Size box{};
     std::string state{};  ///< "fall", "idle" or "held".
     bool faces_left = false;
-    Vec2 spawned_at{};  ///< Where reset() puts it [px].
+    std::optional<Vec2> spawned_at{};  ///< Where reset() puts it [px]; none: not known.
 };
 
 /// The world at one moment. A pet that is not listed is gone.

@@ -270,7 +270,7 @@ void fling(lua_State* lua, Script& script, PetKey pet, Vec2 velocity) {
 void reset(lua_State* lua, Script& script, PetKey pet) {
     script.command(lua, command::Reset{pet});
     PetView& seen = *script.view.edit(pet);
-    seen.position = seen.spawned_at;
+    seen.position = seen.spawned_at.value_or(seen.position);
     seen.velocity = {};
 }
 

@@ -155,7 +155,7 @@ void FakeWorld::apply(const ScriptCommand& given_command) {
             } else if constexpr (std::is_same_v<Command, command::Stop>) {
                 pet->velocity = {};
             } else if constexpr (std::is_same_v<Command, command::Reset>) {
-                pet->position = pet->spawned_at;
+                pet->position = pet->spawned_at.value();
                 pet->velocity = {};
             } else if constexpr (std::is_same_v<Command, command::MoveTo>) {
                 pet->position = wish.position;
