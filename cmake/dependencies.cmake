@@ -60,6 +60,9 @@ target_include_directories(hyrax_lua SYSTEM PUBLIC "${lua_folder}")
 target_compile_features(hyrax_lua PRIVATE cxx_std_17)
 # LUA_USE_LINUX stays undefined: no dlopen, no popen, no readline. On Windows Lua decides for itself
 # (LUA_USE_WINDOWS); LUA_USE_C89 would shut LoadLibrary out, but makes lua_Integer a 32-bit long.
+# `pairs` walks in the order of hashes: with a seed of its own, every run would take another order.
+# Colliding keys made on purpose cost their script its own time limit.
+target_compile_definitions(hyrax_lua PRIVATE "luai_makeseed(L)=0x68797261u")
 if(MINGW)
     # msvcrt's printf would write 1e+100 and nan in its own way.
     target_compile_definitions(hyrax_lua PRIVATE __USE_MINGW_ANSI_STDIO=1)

@@ -4,6 +4,7 @@
 #include "daemon/core/check.h"
 #include "daemon/core/daemon.h"
 #include "daemon/script/script_host.h"
+#include "daemon/win32/clock.h"
 #include "daemon/win32/console.h"
 #include "daemon/win32/image_decoder.h"
 #include "daemon/win32/process.h"
@@ -122,7 +123,7 @@ int run_daemon(const Places& places, const DaemonCommandLine& line, const std::w
     DaemonOptions options{
         .profile = places.profile,
         .decode = win32::make_gdiplus_decoder(),
-        .scripts = make_script_host({}),
+        .scripts = make_script_host({.processor_time = win32::thread_processor_time}),
         .trace = {},
         .requests = line.common.requests,
         .fps = {},

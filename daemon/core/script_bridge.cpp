@@ -34,7 +34,12 @@ void write_log(const ScriptLog& line) {
     constexpr spdlog::level::level_enum levels[] = {
         spdlog::level::info, spdlog::level::warn, spdlog::level::err
     };
-    spdlog::log(levels[std::to_underlying(line.level)], "{}: {}", line.script, line.text);
+    // Errors begin with the script's name and the line.
+    const std::string prefix = line.script + ": ";
+    const bool located = line.text.starts_with(line.script + ":");
+    spdlog::log(
+        levels[std::to_underlying(line.level)], "{}{}", located ? "" : prefix, line.text
+    );
 }
 
 }  // namespace
@@ -84,7 +89,7 @@ PetId ScriptBridge::id_of(PetKey key) const {
 ScriptWorld ScriptBridge::snapshot(
     const Engine& engine, const std::vector<Monitor>& monitors, Ticks now
 ) const {
-    ScriptWorld world{.now = now, .pets = {}, .monitors = monitors};
+    ScriptWorld world{.now = now, .pets = {}, .monitors = monitors, .kinds = engine.kinds()};
     world.pets.reserve(engine.size());
     engine.for_each([&](PetId id, const Pet& pet) {
         const Kind& kind = engine.kinds()[pet.kind];
@@ -98,6 +103,7 @@ ScriptWorld ScriptBridge::snapshot(
             .box = kind.box,
             .state = state_name(pet.motion),
             .faces_left = pet.faces_left,
+            .spawned_at = pet.spawn_position,
         });
     });
     return world;

@@ -98,7 +98,7 @@ enum class LogLevel { info, warning, error };
 struct ScriptLog {
     LogLevel level = LogLevel::info;
     std::string script;
-    std::string text;
+    std::string text;  ///< Errors begin with the script's name and the line.
 };
 
 /// What scripts did in one run.

@@ -2,6 +2,7 @@
 #include "daemon/win32/clock.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace hyrax::win32 {
 
@@ -33,6 +34,18 @@ Ticks clock_now() {
     const Ticks seconds = count.QuadPart / frequency.QuadPart;
     const Ticks rest = count.QuadPart % frequency.QuadPart;
     return seconds * ticks_per_second + rest * ticks_per_second / frequency.QuadPart;
+}
+
+std::chrono::nanoseconds thread_processor_time() {
+    FILETIME created;
+    FILETIME exited;
+    FILETIME kernel{};
+    FILETIME user{};
+    ::GetThreadTimes(::GetCurrentThread(), &created, &exited, &kernel, &user);
+    const auto ticks_of_100_ns = [](const FILETIME& time) {
+        return (std::int64_t{time.dwHighDateTime} << 32U) | time.dwLowDateTime;
+    };
+    return std::chrono::nanoseconds(100 * (ticks_of_100_ns(kernel) + ticks_of_100_ns(user)));
 }
 
 Alarm::Alarm() : timer_(make_timer()) {}

@@ -5,10 +5,15 @@
 #include "daemon/core/ticks.h"
 #include "daemon/win32/handle.h"
 
+#include <chrono>
+
 namespace hyrax::win32 {
 
 /// Monotonic; goes on while the machine sleeps.
 Ticks clock_now();
+
+/// Processor time that the calling thread has used.
+std::chrono::nanoseconds thread_processor_time();
 
 /// A waitable timer with a resolution of about half a millisecond.
 class Alarm {

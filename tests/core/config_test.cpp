@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <string>
 
@@ -297,26 +296,19 @@ TEST_CASE("config: files that are no config") {
     CHECK(complaint(file) == name + ": is too large: 104857600 bytes, at most 1048576 are read");
 }
 
-TEST_CASE("config: the largest file that is read is read quickly, whatever is in it") {
-    // Below a second each without sanitizers; whatever is quadratic takes minutes.
-    constexpr double limit = 30.0;
-    const auto seconds_for = [](const std::string& text) {
-        const auto begin = std::chrono::steady_clock::now();
-        errors_of(text);
-        const std::chrono::duration<double> span = std::chrono::steady_clock::now() - begin;
-        return span.count();
-    };
+TEST_CASE("config: the largest file is read to its end, whatever is in it") {
+    // Below a second each; what is quadratic takes minutes and ends in the test run's time limit.
     std::string keys = "{\"\":0";
     for (int i = 0; keys.size() < (1U << 20U); ++i) {
         keys += ",\"" + std::to_string(i) + "\":0";
     }
-    CHECK(seconds_for(keys + "}") < limit);
+    CHECK(errors_of(keys + "}") == "no error");
     std::string items = "{\"pets\":{\"start\":[0";
     while (items.size() < (1U << 20U)) {
         items += ",0";
     }
-    CHECK(seconds_for(items + "]}}") < limit);
-    CHECK(seconds_for("{\"" + std::string(1U << 20U, 'g') + "\":0}") < limit);
+    CHECK(errors_of(items + "]}}").starts_with("config.json:1:20: /pets/start: must "));
+    CHECK(errors_of("{\"" + std::string(1U << 20U, 'g') + "\":0}") == "no error");
 }
 
 TEST_CASE("config: the shipped file states the defaults, with three pets to begin with") {

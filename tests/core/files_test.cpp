@@ -6,7 +6,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <string>
 
@@ -53,18 +52,11 @@ TEST_CASE("files: what cannot be read says what it is") {
     CHECK(complaint(file / "below").starts_with(utf8_from_path(file / "below") + ": "));
 }
 
-TEST_CASE("files: a huge file is refused without being read") {
+TEST_CASE("files: a huge file is refused by its size") {
     const TemporaryFolder folder;
     const fs::path file = written(folder, "huge.json", "");
     fs::resize_file(file, 100'000'000);
-    // The best of a few attempts: a busy machine may hold up any one of them.
-    std::chrono::steady_clock::duration best = std::chrono::hours(1);
-    for (int attempt = 0; attempt < 5; ++attempt) {
-        const auto begin = std::chrono::steady_clock::now();
-        CHECK(complaint(file).ends_with(": is too large: 100000000 bytes, at most 1000 are read"));
-        best = std::min(best, std::chrono::steady_clock::now() - begin);
-    }
-    CHECK(best < std::chrono::milliseconds(10));
+    CHECK(complaint(file).ends_with(": is too large: 100000000 bytes, at most 1000 are read"));
 }
 
 TEST_CASE("files: what may not be read says so") {

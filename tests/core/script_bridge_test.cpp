@@ -75,6 +75,9 @@ TEST_CASE("a pet keeps the key that its script made") {
     CHECK(stage.recorder.world.pets[0].key == key);
     CHECK(stage.recorder.world.pets[0].owner == "test.lua");
     CHECK(stage.recorder.world.pets[0].position == Vec2{5.0, 6.0});
+    CHECK(stage.recorder.world.pets[0].spawned_at == Vec2{5.0, 6.0});
+    REQUIRE(stage.recorder.world.kinds.size() == 1);
+    CHECK(stage.recorder.world.kinds[0].name == "hyrax");
     REQUIRE(stage.recorder.events.size() == 1);
     CHECK(stage.recorder.events[0].pet == key);
     stage.engine.for_each([](PetId, const Pet& pet) { CHECK(pet.velocity() == Vec2{7.0, 8.0}); });
