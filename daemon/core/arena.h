@@ -2,7 +2,7 @@
 // Where pets may be: one box for each monitor.
 #pragma once
 
-#include "daemon/core/geometry.h"
+#include "physics/geometry.h"
 
 #include <string>
 #include <vector>

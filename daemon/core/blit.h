@@ -3,7 +3,7 @@
 #pragma once
 
 #include "daemon/core/frame.h"
-#include "daemon/core/geometry.h"
+#include "physics/geometry.h"
 #include "daemon/core/image.h"
 
 namespace hyrax {

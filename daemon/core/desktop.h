@@ -6,7 +6,7 @@
 #include "daemon/core/event.h"
 #include "daemon/core/frame.h"
 #include "daemon/core/request.h"
-#include "daemon/core/ticks.h"
+#include "physics/ticks.h"
 
 #include <string>
 #include <variant>

@@ -2,7 +2,7 @@
 // One picture of the whole desktop, as data.
 #pragma once
 
-#include "daemon/core/geometry.h"
+#include "physics/geometry.h"
 #include "daemon/core/image.h"
 #include "daemon/core/pet.h"
 

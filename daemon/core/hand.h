@@ -2,9 +2,9 @@
 // The user's hand: from pointer samples to where a held pet is and how it is thrown.
 #pragma once
 
-#include "daemon/core/geometry.h"
+#include "physics/geometry.h"
 #include "daemon/core/pet.h"
-#include "daemon/core/ticks.h"
+#include "physics/ticks.h"
 
 #include <optional>
 #include <vector>

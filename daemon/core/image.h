@@ -2,7 +2,7 @@
 // Pictures in memory.
 #pragma once
 
-#include "daemon/core/geometry.h"
+#include "physics/geometry.h"
 #include "daemon/core/result.h"
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 // When to draw: a grid of absolute deadlines, so that late wake-ups do not add up.
 #pragma once
 
-#include "daemon/core/ticks.h"
+#include "physics/ticks.h"
 
 namespace hyrax {
 

@@ -5,8 +5,8 @@
 
 #include "daemon/core/arena.h"
 #include "daemon/core/frame.h"
-#include "daemon/core/geometry.h"
-#include "daemon/core/ticks.h"
+#include "physics/geometry.h"
+#include "physics/ticks.h"
 
 #include <cstddef>
 #include <span>

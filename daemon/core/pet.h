@@ -2,9 +2,9 @@
 // What a pet is, and how others name it.
 #pragma once
 
-#include "daemon/core/geometry.h"
+#include "physics/geometry.h"
 #include "daemon/core/slot_map.h"
-#include "daemon/core/ticks.h"
+#include "physics/ticks.h"
 #include "physics/physics.h"
 
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include "daemon/core/arena.h"
 #include "daemon/core/engine.h"
 #include "daemon/core/event.h"
-#include "daemon/core/ticks.h"
+#include "physics/ticks.h"
 
 #include <cstdint>
 #include <optional>

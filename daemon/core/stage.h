@@ -5,7 +5,7 @@
 #include "daemon/core/engine.h"
 #include "daemon/core/frame.h"
 #include "daemon/core/sprite_set.h"
-#include "daemon/core/ticks.h"
+#include "physics/ticks.h"
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 
 #include "daemon/core/engine.h"
 #include "daemon/core/result.h"
-#include "daemon/core/ticks.h"
+#include "physics/ticks.h"
 
 #include <filesystem>
 #include <fstream>

@@ -2,7 +2,7 @@
 // The time that pets and scripts live in: the machine's time without the pauses.
 #pragma once
 
-#include "daemon/core/ticks.h"
+#include "physics/ticks.h"
 
 namespace hyrax {
 

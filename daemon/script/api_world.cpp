@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The world that pets live in: screens and time. Plain values out, so sol2 makes the functions.
-#include "daemon/core/geometry.h"
+#include "physics/geometry.h"
 #include "daemon/script/api.h"
 
 #include <sol/sol.hpp>

@@ -3,8 +3,8 @@
 // that names the function and the argument.
 #pragma once
 
-#include "daemon/core/geometry.h"
-#include "daemon/core/ticks.h"
+#include "physics/geometry.h"
+#include "physics/ticks.h"
 
 #include <lua.h>
 

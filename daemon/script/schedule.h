@@ -5,7 +5,7 @@
 
 #include "daemon/core/event.h"
 #include "daemon/core/script_port.h"
-#include "daemon/core/ticks.h"
+#include "physics/ticks.h"
 
 #include <array>
 #include <cstdint>

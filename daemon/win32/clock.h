@@ -2,7 +2,7 @@
 // The clock and the alarm of the daemon's one thread.
 #pragma once
 
-#include "daemon/core/ticks.h"
+#include "physics/ticks.h"
 #include "daemon/win32/handle.h"
 
 #include <chrono>

@@ -2,7 +2,7 @@
 // Turns a storm of hints into one event, once it is quiet. Pure.
 #pragma once
 
-#include "daemon/core/ticks.h"
+#include "physics/ticks.h"
 
 #include <algorithm>
 

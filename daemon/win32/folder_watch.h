@@ -2,7 +2,7 @@
 // Tells that something in a folder has changed; what, its user finds out.
 #pragma once
 
-#include "daemon/core/ticks.h"
+#include "physics/ticks.h"
 #include "daemon/win32/debounce.h"
 #include "daemon/win32/handle.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "daemon/core/arena.h"
-#include "daemon/core/ticks.h"
+#include "physics/ticks.h"
 #include "daemon/win32/debounce.h"
 
 #include <utility>

@@ -5,7 +5,7 @@
 #include "daemon/core/arena.h"
 #include "daemon/core/frame.h"
 #include "daemon/core/panes.h"
-#include "daemon/core/ticks.h"
+#include "physics/ticks.h"
 #include "daemon/win32/pane_window.h"
 
 #include <memory>

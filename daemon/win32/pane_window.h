@@ -4,7 +4,7 @@
 #pragma once
 
 #include "daemon/core/frame.h"
-#include "daemon/core/geometry.h"
+#include "physics/geometry.h"
 #include "daemon/core/result.h"
 #include "daemon/win32/message_window.h"
 #include "daemon/win32/surface.h"

@@ -2,7 +2,7 @@
 // The size that a PNG file claims, from its first bytes. Pure.
 #pragma once
 
-#include "daemon/core/geometry.h"
+#include "physics/geometry.h"
 
 #include <array>
 #include <cstddef>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "daemon/core/blit.h"
-#include "daemon/core/geometry.h"
+#include "physics/geometry.h"
 #include "daemon/core/result.h"
 #include "daemon/win32/handle.h"
 

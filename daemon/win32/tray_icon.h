@@ -3,7 +3,7 @@
 #pragma once
 
 #include "daemon/core/desktop.h"
-#include "daemon/core/ticks.h"
+#include "physics/ticks.h"
 #include "daemon/win32/handle.h"
 
 #include <shellapi.h>

@@ -2,7 +2,7 @@
 // What a message of the tray icon means (NOTIFYICON_VERSION_4). Pure.
 #pragma once
 
-#include "daemon/core/geometry.h"
+#include "physics/geometry.h"
 
 #include <cstdint>
 #include <optional>

@@ -27,11 +27,11 @@ CLANG_FORMAT = "18.1.8"
 ROOMS = {
     "physics/": {"std", "intrinsics", "physics"},
     "daemon/core/": {"std", "intrinsics", "physics", "core", "log"},
-    "daemon/script/": {"std", "script", "core", "log", "lua"},
+    "daemon/script/": {"std", "physics", "script", "core", "log", "lua"},
     "daemon/control/": {"std", "control", "core", "log", "json", "cli"},
-    "daemon/win32/": {"std", "win32", "core", "control", "log", "windows"},
-    "daemon/headless/": {"std", "headless", "core", "log", "posix", "png"},
-    "daemon/main_": {"std", "core", "script", "control", "win32", "headless", "log", "cli", "windows", "posix"},
+    "daemon/win32/": {"std", "physics", "win32", "core", "control", "log", "windows"},
+    "daemon/headless/": {"std", "physics", "headless", "core", "log", "posix", "png"},
+    "daemon/main_": {"std", "physics", "core", "script", "control", "win32", "headless", "log", "cli", "windows", "posix"},
     "tests/": None,  # anything
 }
 # Only these files of daemon/core may see nlohmann, and only they may include each other's headers.
