@@ -23,10 +23,15 @@ class ThreeMonitors(unittest.TestCase):
         cls.desk = cls.enterClassContext(desktop.VirtualDesktop(MONITORS, wallpaper="#204060"))
 
     def probe(self, x, y, width, height):
+        def is_shown():
+            return self.desk.screenshot()[x + 5, y + 5] == (255, 255, 255)
+
+        # The picture of a window that has gone must not get into the next test's screenshot.
+        self.addCleanup(lambda: desktop.wait_for(lambda: not is_shown(), 10, "the window to go"))
         program = self.desk.start(PROBE, x, y, width, height)
         self.addCleanup(program.end)
         program.wait_for_text("^ready$", 60)
-        desktop.wait_for(lambda: self.desk.screenshot()[x + 5, y + 5] == (255, 255, 255), 10, "the window")
+        desktop.wait_for(is_shown, 10, "the window")
         return program
 
     def test_windows_program_sees_all_monitors(self):
