@@ -60,9 +60,6 @@ target_include_directories(hyrax_lua SYSTEM PUBLIC "${lua_folder}")
 target_compile_features(hyrax_lua PRIVATE cxx_std_17)
 # LUA_USE_LINUX stays undefined: no dlopen, no popen, no readline. On Windows Lua decides for itself
 # (LUA_USE_WINDOWS); LUA_USE_C89 would shut LoadLibrary out, but makes lua_Integer a 32-bit long.
-# `pairs` walks in the order of hashes: with a seed of its own, every run would take another order.
-# Colliding keys made on purpose cost their script its own time limit.
-target_compile_definitions(hyrax_lua PRIVATE "luai_makeseed(L)=0x68797261u")
 if(MINGW)
     # msvcrt's printf would write 1e+100 and nan in its own way.
     target_compile_definitions(hyrax_lua PRIVATE __USE_MINGW_ANSI_STDIO=1)
@@ -73,6 +70,9 @@ else()
     target_compile_options(hyrax_lua PRIVATE -w -ffp-contract=off -fstack-protector-strong)
     # os.tmpname fails: it would use tmpnam, against which the linker warns, and no script may call it.
     target_compile_options(hyrax_lua PRIVATE -DLUA_TMPNAMBUFSIZE=1 "-Dlua_tmpnam(b,e)=((e)=1)")
+    # `pairs` walks in the order of hashes: with a seed of its own, every run would take another
+    # order. Colliding keys made on purpose cost their script its own time limit.
+    target_compile_options(hyrax_lua PRIVATE "-Dluai_makeseed(L)=0x68797261u")
 endif()
 
 target_compile_definitions(hyrax_dep_sol2 INTERFACE

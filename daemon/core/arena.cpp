@@ -19,10 +19,6 @@ double distance_squared(Vec2 point, const Rect& box) {
     return dx * dx + dy * dy;
 }
 
-double fitted_axis(double at, int size, int low, int high) {
-    return std::max(static_cast<double>(low), std::min(at, static_cast<double>(high - size)));
-}
-
 }  // namespace
 
 Arena::Arena(const std::vector<Monitor>& monitors, FloorEdge floor) {
@@ -60,13 +56,6 @@ const Rect& Arena::box_near(Vec2 point) const {
         }
     }
     return *nearest;
-}
-
-Vec2 fitted(Vec2 at, Size size, const Rect& box) {
-    return {
-        fitted_axis(at.x, size.width, box.x, box.right()),
-        fitted_axis(at.y, size.height, box.y, box.bottom()),
-    };
 }
 
 }  // namespace hyrax

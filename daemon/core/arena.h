@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Where pets may be: one box for each monitor.
+// Where pets may be: the union of the monitors.
 #pragma once
 
+#include "physics/free_space.h"
 #include "physics/geometry.h"
 
 #include <string>
@@ -21,7 +22,7 @@ struct Monitor {
 /// What pets stand on at the bottom of a monitor.
 enum class FloorEdge { work_area, screen };
 
-/// Boxes with walls on all four sides. Empty only before the first monitor is known.
+/// One box for each monitor. Empty only before the first monitor is known.
 class Arena {
 public:
     Arena() = default;
@@ -30,6 +31,8 @@ public:
 
     const std::vector<Rect>& boxes() const { return boxes_; }
     bool empty() const { return boxes_.empty(); }
+    /// Where a pet of this size may be: the union of the boxes has no walls inside.
+    FreeSpace space_for(Size size) const { return FreeSpace::among(boxes_, size); }
     /// Bounding box of all boxes; may hold places that no monitor shows.
     Rect bounds() const;
     /// The box that holds the point, else the nearest one. The arena must not be empty.
@@ -40,9 +43,5 @@ public:
 private:
     std::vector<Rect> boxes_;
 };
-
-/// The position nearest to `at` where a box of this size fits into `box`; along an axis on which
-/// it is too large it is pinned to the box's left or top edge.
-Vec2 fitted(Vec2 at, Size size, const Rect& box);
 
 }  // namespace hyrax

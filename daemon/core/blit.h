@@ -3,8 +3,8 @@
 #pragma once
 
 #include "daemon/core/frame.h"
-#include "physics/geometry.h"
 #include "daemon/core/image.h"
+#include "physics/geometry.h"
 
 namespace hyrax {
 

@@ -64,6 +64,7 @@ void Daemon::draw(Ticks now) {
     const Ticks world = clock_.at(now);
     changed_ = false;
     welcome();
+    const bool swinging = engine_.advance_held(now);
     if (!clock_.paused()) {
         engine_.advance(world);
         scripts_.run(engine_, monitors_, world);
@@ -80,7 +81,7 @@ void Daemon::draw(Ticks now) {
     report();
     pacer_.drawn(now);
     const Ticks wake = clock_.machine_time(std::min(next.next_change, scripts_.next_wake()));
-    const bool every_frame = engine_.moving() && !clock_.paused();
+    const bool every_frame = swinging || (engine_.moving() && !clock_.paused());
     next_frame_ = every_frame ? pacer_.next() : std::max(wake, pacer_.next());
 }
 
@@ -99,10 +100,10 @@ void Daemon::on(const input::Pressed& pressed) {
         engine_.click(*id, pressed.button);
         return;
     }
-    let_go({});
+    let_go(desktop_.now(), 0.0);
     const Vec2 pointer{static_cast<double>(pressed.at.x), static_cast<double>(pressed.at.y)};
     hand_.take(*id, pet->position() - pointer, pressed.at, pressed.time);
-    log_failure(engine_.grab(*id));
+    log_failure(engine_.grab(*id, pressed.time));
 }
 
 void Daemon::on(const input::Moved& moved) {
@@ -110,9 +111,9 @@ void Daemon::on(const input::Moved& moved) {
     if (!held) {
         return;
     }
-    hand_.move(moved.at, moved.time);
+    hand_.move(moved.at);
     // A script may have removed the pet out of the hand.
-    if (!engine_.carry(*held, hand_.carried_to())) {
+    if (!engine_.carry(*held, hand_.carried_to(), moved.time)) {
         hand_.drop();
     }
 }
@@ -124,18 +125,18 @@ void Daemon::on(const input::Released& released) {
     }
     on(input::Moved{released.at, released.time});
     const bool clicked = hand_.was_click(released.time);
-    let_go(clicked ? Vec2{} : hand_.throw_velocity(released.time, config_.max_throw_speed));
+    let_go(released.time, clicked ? 0.0 : config_.max_throw_speed);
     if (clicked) {
         engine_.click(*held, Button::left);
     }
 }
 
 void Daemon::on(const input::PointerLost&) {
-    let_go({});
+    let_go(desktop_.now(), 0.0);
 }
 
 void Daemon::on(const input::MonitorsChanged&) {
-    let_go({});
+    let_go(desktop_.now(), 0.0);
     use_monitors();
 }
 
@@ -189,11 +190,11 @@ void Daemon::carry_out(const request::Quit&) {
     quitting_ = true;
 }
 
-void Daemon::let_go(Vec2 velocity) {
+void Daemon::let_go(Ticks time, double max_speed) {
     if (const std::optional<PetId> held = hand_.pet()) {
         hand_.drop();
         if (engine_.find(*held) != nullptr) {
-            log_failure(engine_.let_go(*held, velocity));
+            log_failure(engine_.let_go(*held, time, max_speed));
         }
     }
 }
@@ -227,7 +228,7 @@ void Daemon::read_config() {
         config_.engine.physics.restitution,
         config_.fps
     );
-    engine_.configure(config_.engine);
+    log_failure(engine_.configure(config_.engine));
     pacer_.set_rate(config_.fps);
     if (floor_moved) {
         use_monitors();

@@ -66,7 +66,7 @@ private:
     void carry_out(const request::Quit& quit);
 
     void draw(Ticks now);
-    void let_go(Vec2 velocity);
+    void let_go(Ticks time, double max_speed);
 
     void read_config();
     void read_kinds();

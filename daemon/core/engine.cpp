@@ -19,11 +19,40 @@ Result<void> require_finite(Vec2 v, std::string_view verb) {
     return failure(fmt::format("{}: expected finite numbers, got ({}, {})", verb, v.x, v.y));
 }
 
+// Written so that NaN fails.
+bool is_share(double value) {
+    return value >= 0.0 && value <= 1.0;
+}
+
+bool is_amount(double value) {
+    return value >= 0.0 && std::isfinite(value);
+}
+
+bool is_possible(const EngineSettings& settings) {
+    const PhysicsConstants& law = settings.physics;
+    return is_amount(law.gravity) && is_amount(law.rest_threshold) && is_share(law.restitution) &&
+           is_share(law.air_drag) && is_share(law.ground_friction) &&
+           is_amount(settings.reference_rate) && settings.reference_rate > 0.0 &&
+           is_amount(settings.fixed_rate) && settings.fixed_rate > 0.0 &&
+           is_amount(settings.max_speed);
+}
+
+MotionRules rules_of(const EngineSettings& settings) {
+    return {
+        .integrator = settings.integrator,
+        .constants = settings.physics,
+        .law = law_from(settings.physics, settings.reference_rate),
+        .fixed_step = 1.0 / settings.fixed_rate,
+    };
+}
+
 }  // namespace
 
 Engine::Engine(std::vector<Kind> kinds, const EngineSettings& settings, std::uint32_t seed)
-    : kinds_(std::move(kinds)), settings_(settings), random_(seed) {
+    : kinds_(std::move(kinds)), settings_(settings), rules_(rules_of(settings)), random_(seed) {
     HYRAX_CHECK(!kinds_.empty());
+    HYRAX_CHECK(is_possible(settings));
+    measure_spaces();
 }
 
 Result<PetId> Engine::spawn(const SpawnOptions& options) {
@@ -50,9 +79,9 @@ Result<PetId> Engine::spawn(const SpawnOptions& options) {
     pet.kind = *kind;
     pet.owner = options.owner;
     pet.tag = options.tag;
-    pet.body.setConstants(settings_.physics);
     place(pet, options.at ? *options.at : random_entrance());
     pet.spawn_position = pet.position();
+    pet.faces_left = options.velocity.x < 0.0;
     const PetId id = pets_.insert(std::move(pet));
     launch(id, *pets_.find(id), options.velocity);
     emit({.kind = EventKind::spawn, .pet = id});
@@ -76,6 +105,7 @@ Result<void> Engine::remove(PetId id) {
     return change(id, "remove", {}, [this, id](const Pet& pet) {
         emit({.kind = EventKind::remove, .pet = id, .tag = pet.tag});
         std::erase(awake_, id);
+        std::erase_if(held_, [id](const Held& held) { return held.pet == id; });
         pets_.erase(id);
     });
 }
@@ -91,7 +121,11 @@ Result<void> Engine::push(PetId id, Vec2 impulse) {
 }
 
 Result<void> Engine::stop(PetId id) {
-    return change(id, "stop", {}, [](Pet& pet) { pet.body.resetVelocity(); });
+    return change(id, "stop", {}, [this, id](Pet& pet) {
+        if (pet.awake && pet.motion != Motion::held) {
+            set_in_motion(id, pet, {});
+        }
+    });
 }
 
 Result<void> Engine::reset(PetId id) {
@@ -111,30 +145,41 @@ Result<void> Engine::set_tag(PetId id, std::string tag) {
     return change(id, "tag", {}, [&tag](Pet& pet) { pet.tag = std::move(tag); });
 }
 
-Result<void> Engine::grab(PetId id) {
-    return change(id, "grab", {}, [this, id](Pet& pet) {
+Result<void> Engine::grab(PetId id, Ticks time) {
+    return change(id, "grab", {}, [&](Pet& pet) {
+        Spring spring(settings_.hand);
+        // A hand catches a flying pet with its velocity; the spring brakes it.
+        if (!spring.grab({pet.position(), pet.velocity()}, pet.position(), time)) {
+            return;
+        }
+        std::erase_if(held_, [id](const Held& held) { return held.pet == id; });
+        held_.push_back({id, spring});
         pet.motion = Motion::held;
         pet.since = now_;
         pet.awake = false;
-        pet.body.resetVelocity();
         std::erase(awake_, id);
         emit({.kind = EventKind::grab, .pet = id});
     });
 }
 
-Result<void> Engine::carry(PetId id, Vec2 position) {
-    return change(id, "carry", position, [position](Pet& pet) {
-        HYRAX_CHECK(pet.motion == Motion::held);
-        // A hand may hold a pet across a seam: only letting go puts it back into a box.
-        pet.body.setPos(position.x - pet.home.x, position.y - pet.home.y);
+Result<void> Engine::carry(PetId id, Vec2 position, Ticks time) {
+    return change(id, "carry", position, [&](const Pet&) {
+        Held* const hand = held(id);
+        HYRAX_CHECK(hand != nullptr);
+        // False for a place that no screen has, or for a clock that went back: the pet stays.
+        static_cast<void>(hand->spring.follow(position, time));
     });
 }
 
-Result<void> Engine::let_go(PetId id, Vec2 velocity) {
-    return change(id, "let_go", velocity, [&](Pet& pet) {
-        HYRAX_CHECK(pet.motion == Motion::held);
+Result<void> Engine::let_go(PetId id, Ticks time, double max_speed) {
+    return change(id, "let_go", {max_speed, 0.0}, [&](Pet& pet) {
+        Held* const hand = held(id);
+        HYRAX_CHECK(hand != nullptr);
+        const Vec2 velocity = hand->spring.release_velocity(time, max_speed);
+        const Vec2 position = hand->spring.at(time).position;
+        std::erase_if(held_, [id](const Held& one) { return one.pet == id; });
         pet.motion = Motion::airborne;
-        place(pet, pet.position());
+        place(pet, position);
         launch(id, pet, velocity);
         emit({.kind = EventKind::throw_pet, .pet = id, .velocity = pet.velocity()});
     });
@@ -168,43 +213,45 @@ void Engine::fling_all() {
 }
 
 void Engine::set_arena(Arena arena) {
+    const std::vector<Rect> former = arena_.boxes();
     arena_ = std::move(arena);
     emit({.kind = EventKind::monitors});
+    measure_spaces();
     if (arena_.empty()) {
         return;
     }
-    pets_.for_each([this](PetId id, Pet& pet) {
-        if (pet.motion == Motion::held) {
-            return;
+    pets_.for_each([&](PetId id, Pet& pet) {
+        if (pet.motion != Motion::held) {
+            move_into_arena(id, pet, former);
         }
-        const Vec2 before = pet.position();
-        place(pet, before);
-        if (pet.position() != before) {
-            pet.body.resetVelocity();
-        }
-        wake(id, pet);
     });
 }
 
-void Engine::configure(const EngineSettings& settings) {
+Result<void> Engine::configure(const EngineSettings& settings) {
+    if (!is_possible(settings)) {
+        return failure("settings: expected finite numbers, gravity, speeds and rates not below 0, "
+                       "restitution, air_drag and ground_friction from 0 to 1");
+    }
     settings_ = settings;
+    rules_ = rules_of(settings);
+    // A law that changed may move whoever rests; who still rests goes back to sleep.
     pets_.for_each([this](PetId id, Pet& pet) {
-        pet.body.setConstants(settings_.physics);
-        // A law that changed may move whoever rests; who still rests goes back to sleep.
         if (pet.motion != Motion::held) {
-            wake(id, pet);
+            set_in_motion(id, pet, pet.velocity());
         }
     });
+    return {};
 }
 
 void Engine::set_kinds(std::vector<Kind> kinds) {
     HYRAX_CHECK(!kinds.empty());
     const std::vector<Kind> former = std::exchange(kinds_, std::move(kinds));
+    measure_spaces();
     pets_.for_each([this, &former](PetId id, Pet& pet) {
         pet.kind = kind_named(former[pet.kind].name).value_or(0);
         if (!arena_.empty() && pet.motion != Motion::held) {
             place(pet, pet.position());
-            wake(id, pet);
+            set_in_motion(id, pet, pet.velocity());
         }
     });
 }
@@ -221,25 +268,46 @@ std::optional<std::size_t> Engine::kind_named(std::string_view name) const {
     return static_cast<std::size_t>(found - kinds_.begin());
 }
 
+void Engine::measure_spaces() {
+    spaces_.clear();
+    for (const Kind& kind : kinds_) {
+        spaces_.push_back(arena_.space_for(kind.box));
+    }
+}
+
+Engine::Held* Engine::held(PetId id) {
+    const auto found = std::ranges::find(held_, id, &Held::pet);
+    return found == held_.end() ? nullptr : &*found;
+}
+
 void Engine::place(Pet& pet, Vec2 position) {
     const Size size = box_of(pet);
-    const Vec2 centre{position.x + size.width / 2.0, position.y + size.height / 2.0};
-    pet.home = arena_.box_near(centre);
-    const Vec2 place = fitted(position, size, pet.home);
-    pet.body.setPos(place.x - pet.home.x, place.y - pet.home.y);
+    const FreeSpace& space = spaces_[pet.kind];
+    pet.shown.position = space.nearest(position + space.overhang()) - space.overhang();
+    const Vec2 at = pet.shown.position;
+    pet.home = arena_.box_near({at.x + size.width / 2.0, at.y + size.height / 2.0});
+}
+
+void Engine::set_in_motion(PetId id, Pet& pet, Vec2 velocity) {
+    const WallEvents walls =
+        listening_.has(EventKind::bounce) ? WallEvents::wanted : WallEvents::not_wanted;
+    pet.shown.velocity = velocity;
+    pet.body.launch(pet.position(), velocity, rules_, around(pet), walls);
+    pet.started = false;
+    if (!pet.awake) {
+        pet.awake = true;
+        awake_.push_back(id);
+    }
 }
 
 void Engine::launch(PetId id, Pet& pet, Vec2 velocity) {
     if (pet.motion == Motion::held) {
         return;
     }
-    const Vec2 allowed = capped(velocity);
-    pet.body.setVelocity(allowed.x, allowed.y);
+    set_in_motion(id, pet, capped(velocity));
     pet.motion = Motion::airborne;
     pet.since = now_;
     pet.landed = false;
-    pet.frames_on_floor = 0;
-    wake(id, pet);
 }
 
 void Engine::put_back(PetId id, Pet& pet) {
@@ -250,13 +318,28 @@ void Engine::put_back(PetId id, Pet& pet) {
     launch(id, pet, {});
 }
 
-void Engine::wake(PetId id, Pet& pet) {
-    if (pet.awake) {
+// Who may stay stays, velocity and all. Who is inside a new wall is put before it and no longer
+// moves against it; who has lost its screen arrives on the next one at rest.
+void Engine::move_into_arena(PetId id, Pet& pet, const std::vector<Rect>& former) {
+    const Vec2 before = pet.position();
+    const Size size = box_of(pet);
+    const Rect box{static_cast<int>(before.x), static_cast<int>(before.y), size.width, size.height};
+    place(pet, before);
+    const Vec2 moved = pet.position() - before;
+    if (moved == Vec2{} && former == arena_.boxes()) {
         return;
     }
-    pet.awake = true;
-    pet.stepped_at.reset();
-    awake_.push_back(id);
+    const bool on_a_screen = std::ranges::any_of(arena_.boxes(), [&box](const Rect& room) {
+        return !intersection(room, box).empty();
+    });
+    Vec2 velocity = on_a_screen ? pet.velocity() : Vec2{};
+    if (moved.x * velocity.x < 0.0) {
+        velocity.x = 0.0;
+    }
+    if (moved.y * velocity.y < 0.0) {
+        velocity.y = 0.0;
+    }
+    set_in_motion(id, pet, velocity);
 }
 
 Vec2 Engine::capped(Vec2 velocity) const {

@@ -7,7 +7,8 @@
 #include "daemon/core/pet.h"
 #include "daemon/core/result.h"
 #include "daemon/core/slot_map.h"
-#include "physics/physics.h"
+#include "physics/body.h"
+#include "physics/spring.h"
 
 #include <cstdint>
 #include <optional>
@@ -25,7 +26,11 @@ struct Kind {
 };
 
 struct EngineSettings {
-    PhysicsConstants physics;
+    PhysicsConstants physics{};
+    Integrator integrator = Integrator::event_driven;
+    double reference_rate = default_reference_rate;  ///< Frames a second of the multipliers.
+    double fixed_rate = 240.0;    ///< Steps a second of semi_implicit_euler_fixed.
+    SpringConstants hand{};       ///< Holds a grabbed pet on the pointer.
     std::size_t max_pets = 100;   ///< Population cap on every path that spawns.
     double max_speed = 20'000.0;  ///< Velocities set from outside are shortened to this [px/s].
     bool operator==(const EngineSettings&) const = default;
@@ -61,10 +66,12 @@ public:
     [[nodiscard]] Result<void> move_to(PetId id, Vec2 position);
     [[nodiscard]] Result<void> set_tag(PetId id, std::string tag);
 
-    /// Picks a pet up: it follows carry() until let_go().
-    [[nodiscard]] Result<void> grab(PetId id);
-    [[nodiscard]] Result<void> carry(PetId id, Vec2 position);
-    [[nodiscard]] Result<void> let_go(PetId id, Vec2 velocity);
+    /// Picks a pet up: a spring pulls it to where carry() says, until let_go(). Times are the
+    /// hand's own: they go on while the pets' time is paused.
+    [[nodiscard]] Result<void> grab(PetId id, Ticks time);
+    [[nodiscard]] Result<void> carry(PetId id, Vec2 position, Ticks time);
+    /// The pet flies on as the spring moved it, at most at `max_speed` [px/s].
+    [[nodiscard]] Result<void> let_go(PetId id, Ticks time, double max_speed);
     void click(PetId id, Button button);
 
     void reset_all();
@@ -72,16 +79,20 @@ public:
     /// Throws every pet upwards in a direction of its own.
     void fling_all();
 
-    /// Moves every pet that is awake to `now`. A pet's first frame shows it where it was put.
+    /// Moves every pet that is awake to `now`. A pet's first frame shows it where it was put. A
+    /// time before the last one changes nothing.
     void advance(Ticks now);
     /// True while a further advance() would change something.
     bool moving() const { return !awake_.empty(); }
+    /// Moves the pets that a hand holds; `time` is the hand's. True while they swing.
+    bool advance_held(Ticks time);
 
     /// Pets outside the new arena move to the nearest place in it; nobody is lost.
     void set_arena(Arena arena);
     const Arena& arena() const { return arena_; }
-    /// Takes effect with the next frame, for pets in flight as well.
-    void configure(const EngineSettings& settings);
+    /// Takes effect with the next frame, for pets in flight as well. Fails, and changes nothing, on
+    /// constants that no law can have.
+    [[nodiscard]] Result<void> configure(const EngineSettings& settings);
     const EngineSettings& settings() const { return settings_; }
 
     const std::vector<Kind>& kinds() const { return kinds_; }
@@ -102,16 +113,27 @@ public:
     std::vector<Event> take_events();
 
 private:
+    struct Held {
+        PetId pet;
+        Spring spring;
+    };
+
     template <typename Act>
     [[nodiscard]] Result<void> change(PetId id, std::string_view verb, Vec2 numbers, Act act);
     std::optional<std::size_t> kind_named(std::string_view name) const;
     Size box_of(const Pet& pet) const { return kinds_[pet.kind].box; }
+    Surroundings around(const Pet& pet) const {
+        return {spaces_[pet.kind], pet.home, kinds_[pet.kind].box};
+    }
+    void measure_spaces();
+    Held* held(PetId id);
     void place(Pet& pet, Vec2 position);
+    void set_in_motion(PetId id, Pet& pet, Vec2 velocity);
     void launch(PetId id, Pet& pet, Vec2 velocity);
     void put_back(PetId id, Pet& pet);
-    void wake(PetId id, Pet& pet);
-    void step(PetId id, Pet& pet, double dt);
-    void rest_if_still(Pet& pet);
+    void move_into_arena(PetId id, Pet& pet, const std::vector<Rect>& former);
+    void advance(PetId id, Pet& pet, Ticks now);
+    void meet(PetId id, Pet& pet, const TrajectoryEvent& event);
     Vec2 capped(Vec2 velocity) const;
     Vec2 random_entrance();
     double random_unit();
@@ -119,9 +141,12 @@ private:
 
     std::vector<Kind> kinds_;
     EngineSettings settings_;
+    MotionRules rules_;
     Arena arena_;
+    std::vector<FreeSpace> spaces_;  // By kind.
     SlotMap<Pet> pets_;
     std::vector<PetId> awake_;
+    std::vector<Held> held_;
     std::vector<Event> events_;
     EventMask listening_;
     std::minstd_rand random_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The frame: one step of the document's law for every pet that is awake, and the rule of rest.
+// The frame: every pet that is awake moves on, and what it met becomes events.
 #include "daemon/core/engine.h"
 
 #include <algorithm>
@@ -9,90 +9,93 @@
 namespace hyrax {
 namespace {
 
-// A frame never moves a pet by more than this: after a hitch the pets go on, they do not leap.
-constexpr Ticks longest_step = 100 * ticks_per_ms;
+// Slower than this a pet does not turn round [px/s].
+constexpr double turning_speed = 5.0;
 
-// The document's law never comes to rest at 60 Hz: the vertical velocity cycles between 0 and
-// -12 px/s while the position stays on the floor (docs/physics.md). Three frames in a row on the
-// floor tell that cycle from a bounce, which leaves the floor in the next frame.
-constexpr int frames_until_settled = 3;
+// Slower, and nearer to the pointer, than this a held pet hangs still [px/s] [px].
+constexpr double still_speed = 0.5;
+constexpr double still_distance = 0.05;
 
-// Slower than this a settled pet stands still [px/s]: below a tenth of a pixel a frame at 60 Hz.
-constexpr double stop_speed = 5.0;
+Motion motion_of(Mode mode) {
+    return mode == Mode::air ? Motion::airborne : Motion::settled;
+}
+
+std::optional<Side> side_of(ContactKind kind) {
+    switch (kind) {
+        case ContactKind::left_wall:
+            return Side::left;
+        case ContactKind::right_wall:
+            return Side::right;
+        case ContactKind::ceiling:
+            return Side::top;
+        case ContactKind::floor:
+            return Side::bottom;
+        case ContactKind::none:
+        case ContactKind::edge:
+        case ContactKind::stop:
+            break;
+    }
+    return std::nullopt;
+}
 
 }  // namespace
 
 void Engine::advance(Ticks now) {
+    if (now < now_) {
+        return;
+    }
     now_ = now;
-    // Steps may put pets to sleep, never wake others, so one pass compacts the list in place.
+    // Pets may fall asleep here, never wake others, so one pass compacts the list in place.
     std::erase_if(awake_, [this, now](PetId id) {
         Pet& pet = *pets_.find(id);
-        if (pet.stepped_at) {
-            step(id, pet, to_seconds(std::min(now - *pet.stepped_at, longest_step)));
-        }
-        pet.stepped_at = now;
+        advance(id, pet, now);
         return !pet.awake;
     });
 }
 
-void Engine::step(PetId id, Pet& pet, double dt) {
-    const Size size = box_of(pet);
-    const PhysicsConstants& law = settings_.physics;
-    // What the law makes of the velocity before it meets anything: the speed of an impact.
-    const double arriving_x = pet.body.vx() * law.air_drag;
-    const double arriving_y = (pet.body.vy() + law.gravity * dt) * law.air_drag;
-    // A pet wider or higher than its box is pinned: the law alone would flicker between two places.
-    const int width = std::max(pet.home.width, size.width);
-    const int height = std::max(pet.home.height, size.height);
-    pet.body.update(dt, width, height, size.width, size.height);
-
-    const auto bounce = [this, id](Side side, double speed) {
-        emit({.kind = EventKind::bounce, .pet = id, .side = side, .speed = std::fabs(speed)});
-    };
-    const double right = width - size.width;
-    const double bottom = height - size.height;
-    if (pet.body.x() == 0.0 && arriving_x < 0.0) {
-        bounce(Side::left, arriving_x);
-    } else if (pet.body.x() == right && arriving_x > 0.0) {
-        bounce(Side::right, arriving_x);
+void Engine::advance(PetId id, Pet& pet, Ticks now) {
+    if (!std::exchange(pet.started, true)) {
+        pet.body.start(now);
     }
-    if (pet.body.y() == 0.0 && arriving_y < 0.0) {
-        bounce(Side::top, arriving_y);
+    pet.body.advance(now, rules_, around(pet), [&](const TrajectoryEvent& event) {
+        meet(id, pet, event);
+    });
+    pet.shown = pet.body.at(now, rules_, around(pet));
+    if (std::fabs(pet.shown.velocity.x) > turning_speed) {
+        pet.faces_left = pet.shown.velocity.x < 0.0;
     }
-
-    if (pet.body.y() == bottom && pet.body.vy() <= 0.0) {
-        ++pet.frames_on_floor;
-        if (pet.frames_on_floor == 1 && arriving_y > 0.0) {
-            bounce(Side::bottom, arriving_y);
-            if (!std::exchange(pet.landed, true)) {
-                emit({.kind = EventKind::land, .pet = id, .speed = arriving_y});
-            }
-        }
-    } else {
-        pet.frames_on_floor = 0;
+    const Motion motion = motion_of(pet.shown.mode);
+    if (motion != pet.motion) {
+        pet.motion = motion;
+        pet.since = now;
+        pet.landed = pet.landed && motion == Motion::settled;
     }
-    if (std::fabs(pet.body.vx()) > stop_speed) {
-        pet.faces_left = pet.body.vx() < 0.0;
-    }
-    rest_if_still(pet);
+    pet.awake = pet.shown.mode != Mode::rest;
 }
 
-void Engine::rest_if_still(Pet& pet) {
-    const PhysicsConstants& law = settings_.physics;
-    const double speed = std::hypot(pet.body.vx(), pet.body.vy());
-    const bool floats_still =
-        law.gravity == 0.0 && (speed == 0.0 || (law.air_drag < 1.0 && speed < stop_speed));
-    const bool settled = pet.frames_on_floor >= frames_until_settled || floats_still;
+void Engine::meet(PetId id, Pet& pet, const TrajectoryEvent& event) {
+    const std::optional<Side> side = side_of(event.kind);
+    if (!side) {
+        return;
+    }
+    emit({.kind = EventKind::bounce, .pet = id, .side = *side, .speed = event.speed});
+    if (*side == Side::bottom && !std::exchange(pet.landed, true)) {
+        emit({.kind = EventKind::land, .pet = id, .speed = event.speed});
+    }
+}
 
-    if (settled != (pet.motion == Motion::settled)) {
-        pet.motion = settled ? Motion::settled : Motion::airborne;
-        pet.since = now_;
-        pet.landed = pet.landed && settled;
+bool Engine::advance_held(Ticks time) {
+    bool swinging = false;
+    for (const Held& hand : held_) {
+        Pet& pet = *pets_.find(hand.pet);
+        const SpringBody body = hand.spring.at(time);
+        const Vec2 off = body.position - hand.spring.target(time);
+        pet.shown.position = body.position;
+        pet.shown.velocity = body.velocity;
+        swinging = swinging || std::hypot(body.velocity.x, body.velocity.y) > still_speed ||
+                   std::hypot(off.x, off.y) > still_distance;
     }
-    if (settled && std::fabs(pet.body.vx()) < stop_speed) {
-        pet.body.resetVelocity();
-        pet.awake = false;
-    }
+    return swinging;
 }
 
 }  // namespace hyrax

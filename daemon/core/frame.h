@@ -2,9 +2,9 @@
 // One picture of the whole desktop, as data.
 #pragma once
 
-#include "physics/geometry.h"
 #include "daemon/core/image.h"
 #include "daemon/core/pet.h"
+#include "physics/geometry.h"
 
 #include <optional>
 #include <vector>

@@ -2,8 +2,8 @@
 // Pictures in memory.
 #pragma once
 
-#include "physics/geometry.h"
 #include "daemon/core/result.h"
+#include "physics/geometry.h"
 
 #include <cstddef>
 #include <cstdint>

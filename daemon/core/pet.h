@@ -2,13 +2,12 @@
 // What a pet is, and how others name it.
 #pragma once
 
-#include "physics/geometry.h"
 #include "daemon/core/slot_map.h"
+#include "physics/body.h"
+#include "physics/geometry.h"
 #include "physics/ticks.h"
-#include "physics/physics.h"
 
 #include <cstddef>
-#include <optional>
 #include <string>
 
 namespace hyrax {
@@ -24,23 +23,23 @@ enum class Motion {
 
 struct Pet {
     std::size_t kind = 0;  ///< Index into Engine::kinds().
-    physics body;          ///< Position of the box's top-left corner, relative to `home`.
-    Rect home;             ///< The box of the arena that it moves in.
+    Body body;             ///< Its motion; unused while a hand holds it.
+    Rect home;             ///< The room that the document's law keeps it in.
     Vec2 spawn_position;   ///< Where reset() puts it, virtual desktop [px].
+    BodyState shown;       ///< As of the last frame, or as put since.
     Motion motion = Motion::airborne;
     Ticks since = 0;  ///< When this motion began.
     bool awake = false;
+    bool started = false;  ///< The body moves; its first frame shows it where it was put.
     bool faces_left = false;
-    bool landed = false;              ///< The flight has met the floor.
-    int frames_on_floor = 0;          ///< Consecutive steps that ended on the floor.
-    std::optional<Ticks> stepped_at;  ///< Its last step; none before the first frame of a motion.
-    std::string owner;                ///< Name of a script or plugin, or "user".
-    std::string tag;                  ///< Free text of the owner.
+    bool landed = false;  ///< The flight has met a floor.
+    std::string owner;    ///< Name of a script or plugin, or "user".
+    std::string tag;      ///< Free text of the owner.
 
     /// Top-left corner of the box, virtual desktop [px].
-    Vec2 position() const { return {home.x + body.x(), home.y + body.y()}; }
+    Vec2 position() const { return shown.position; }
     /// [px/s]
-    Vec2 velocity() const { return {body.vx(), body.vy()}; }
+    Vec2 velocity() const { return shown.velocity; }
 };
 
 }  // namespace hyrax

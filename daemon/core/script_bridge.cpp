@@ -37,9 +37,7 @@ void write_log(const ScriptLog& line) {
     // Errors begin with the script's name and the line.
     const std::string prefix = line.script + ": ";
     const bool located = line.text.starts_with(line.script + ":");
-    spdlog::log(
-        levels[std::to_underlying(line.level)], "{}{}", located ? "" : prefix, line.text
-    );
+    spdlog::log(levels[std::to_underlying(line.level)], "{}{}", located ? "" : prefix, line.text);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The world that pets live in: screens and time. Plain values out, so sol2 makes the functions.
-#include "physics/geometry.h"
 #include "daemon/script/api.h"
+#include "physics/geometry.h"
 
 #include <sol/sol.hpp>
 

@@ -2,8 +2,8 @@
 // The clock and the alarm of the daemon's one thread.
 #pragma once
 
-#include "physics/ticks.h"
 #include "daemon/win32/handle.h"
+#include "physics/ticks.h"
 
 #include <chrono>
 

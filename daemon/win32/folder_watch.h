@@ -2,9 +2,9 @@
 // Tells that something in a folder has changed; what, its user finds out.
 #pragma once
 
-#include "physics/ticks.h"
 #include "daemon/win32/debounce.h"
 #include "daemon/win32/handle.h"
+#include "physics/ticks.h"
 
 #include <filesystem>
 #include <memory>

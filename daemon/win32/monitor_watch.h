@@ -3,8 +3,8 @@
 #pragma once
 
 #include "daemon/core/arena.h"
-#include "physics/ticks.h"
 #include "daemon/win32/debounce.h"
+#include "physics/ticks.h"
 
 #include <utility>
 #include <vector>

@@ -5,8 +5,8 @@
 #include "daemon/core/arena.h"
 #include "daemon/core/frame.h"
 #include "daemon/core/panes.h"
-#include "physics/ticks.h"
 #include "daemon/win32/pane_window.h"
+#include "physics/ticks.h"
 
 #include <memory>
 #include <vector>

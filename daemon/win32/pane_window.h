@@ -4,10 +4,10 @@
 #pragma once
 
 #include "daemon/core/frame.h"
-#include "physics/geometry.h"
 #include "daemon/core/result.h"
 #include "daemon/win32/message_window.h"
 #include "daemon/win32/surface.h"
+#include "physics/geometry.h"
 
 #include <cstdint>
 #include <memory>

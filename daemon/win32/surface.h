@@ -3,9 +3,9 @@
 #pragma once
 
 #include "daemon/core/blit.h"
-#include "physics/geometry.h"
 #include "daemon/core/result.h"
 #include "daemon/win32/handle.h"
+#include "physics/geometry.h"
 
 namespace hyrax::win32 {
 

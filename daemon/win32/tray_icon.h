@@ -3,8 +3,8 @@
 #pragma once
 
 #include "daemon/core/desktop.h"
-#include "physics/ticks.h"
 #include "daemon/win32/handle.h"
+#include "physics/ticks.h"
 
 #include <shellapi.h>
 

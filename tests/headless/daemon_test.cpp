@@ -282,11 +282,11 @@ TEST_CASE("every shipped example runs for a minute and keeps its pets in the are
         recorded.run();
         CHECK(recorded.desktop.presents() > 600);
         CHECK(recorded.desktop.statuses().back().problem.empty());
-        recorded.daemon->engine().for_each([](PetId, const Pet& pet) {
+        recorded.daemon->engine().for_each([&](PetId, const Pet& pet) {
             CHECK(std::isfinite(pet.position().x));
-            CHECK(pet.home.contains(
-                Point{static_cast<int>(pet.position().x), static_cast<int>(pet.position().y)}
-            ));
+            const Engine& engine = recorded.daemon->engine();
+            const FreeSpace space = engine.arena().space_for(engine.kinds()[pet.kind].box);
+            CHECK(space.nearest(pet.position()) == pet.position());
         });
     }
 }

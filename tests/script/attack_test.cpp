@@ -150,8 +150,8 @@ TEST_CASE("tables stay strong, and a chain of them costs the collector no time")
         local n, mt, keys, by_index = 30000, {}, {}, {}
         for i = 1, n + 1 do keys[i] = {} end
         for i = 1, n do by_index[i] = setmetatable({ [keys[i]] = keys[i + 1] }, mt) end
-        rawset(mt, "__mode", "k")
         local probe = setmetatable({ [{}] = true }, mt)
+        rawset(mt, "__mode", "k")
         local tabs, lo, hi = {}, 1, n
         for i = 1, n do
             if i % 2 == 1 then tabs[lo] = by_index[i] lo = lo + 1 else tabs[hi] = by_index[i] hi = hi - 1 end

@@ -11,6 +11,5 @@ TEST_CASE("clock: processor time counts work, not sleep") {
     ::Sleep(300);
     CHECK(thread_processor_time() - before < 200ms);
     // Ends by the test run's time limit if the clock stands still.
-    while (thread_processor_time() - before < 50ms) {
-    }
+    while (thread_processor_time() - before < 50ms) {}
 }

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "physics/free_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hyrax {
+namespace {
+
+// Scaled desktops leave rounding gaps of one pixel between monitors.
+constexpr int least_gap = 2;
+
+bool overlap(int low_a, int high_a, int low_b, int high_b) {
+    return low_a < high_b && low_b < high_a;
+}
+
+void close_gaps(std::vector<Rect>& rooms) {
+    const auto is_small = [](int gap) { return gap > 0 && gap < least_gap; };
+    for (Rect& room : rooms) {
+        for (const Rect& other : rooms) {
+            if (overlap(room.y, room.bottom(), other.y, other.bottom()) &&
+                is_small(other.x - room.right())) {
+                room.width = other.x - room.x;
+            }
+            if (overlap(room.x, room.right(), other.x, other.right()) &&
+                is_small(other.y - room.bottom())) {
+                room.height = other.y - room.y;
+            }
+        }
+    }
+}
+
+struct Interval {
+    int low;
+    int high;
+    bool operator==(const Interval&) const = default;
+};
+
+// What the rooms leave of [low, high] in the slab from `top` to `bottom`, which no edge crosses.
+std::vector<Interval> gaps_in_slab(const std::vector<Rect>& rooms, Interval slab, Interval whole) {
+    std::vector<Interval> filled;
+    for (const Rect& room : rooms) {
+        if (room.y <= slab.low && room.bottom() >= slab.high) {
+            filled.push_back({room.x, room.right()});
+        }
+    }
+    std::ranges::sort(filled, {}, &Interval::low);
+    std::vector<Interval> gaps;
+    int at = whole.low;
+    for (const Interval& part : filled) {
+        if (part.low > at) {
+            gaps.push_back({at, part.low});
+        }
+        at = std::max(at, part.high);
+    }
+    if (at < whole.high) {
+        gaps.push_back({at, whole.high});
+    }
+    return gaps;
+}
+
+// The complement of the rooms inside their bounding box, cut into rectangles as high as possible.
+std::vector<Rect> solids_between(const std::vector<Rect>& rooms, const Rect& bounds) {
+    std::vector<int> edges;
+    for (const Rect& room : rooms) {
+        edges.push_back(room.y);
+        edges.push_back(room.bottom());
+    }
+    std::ranges::sort(edges);
+    edges.erase(std::ranges::unique(edges).begin(), edges.end());
+
+    std::vector<Rect> solids;
+    for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+        const Interval slab{edges[i], edges[i + 1]};
+        for (const Interval& gap : gaps_in_slab(rooms, slab, {bounds.x, bounds.right()})) {
+            const auto above = std::ranges::find_if(solids, [&](const Rect& solid) {
+                return solid.bottom() == slab.low && solid.x == gap.low &&
+                       solid.right() == gap.high;
+            });
+            if (above != solids.end()) {
+                above->height = slab.high - above->y;
+            } else {
+                solids.push_back({gap.low, slab.low, gap.high - gap.low, slab.high - slab.low});
+            }
+        }
+    }
+    return solids;
+}
+
+std::vector<Obstacle> obstacles_for(const std::vector<Rect>& rooms, Size box) {
+    Rect bounds;
+    for (const Rect& room : rooms) {
+        bounds = united(bounds, room);
+    }
+    std::vector<Obstacle> obstacles{
+        {.right = static_cast<double>(bounds.x)},
+        {.left = static_cast<double>(bounds.right() - box.width)},
+        {.bottom = static_cast<double>(bounds.y)},
+        {.top = static_cast<double>(bounds.bottom() - box.height)},
+    };
+    for (const Rect& solid : solids_between(rooms, bounds)) {
+        obstacles.push_back(
+            {static_cast<double>(solid.x - box.width),
+             static_cast<double>(solid.y - box.height),
+             static_cast<double>(solid.right()),
+             static_cast<double>(solid.bottom())}
+        );
+    }
+    return obstacles;
+}
+
+bool is_in(Vec2 point, std::span<const Obstacle> obstacles) {
+    return std::ranges::any_of(obstacles, [point](const Obstacle& obstacle) {
+        return obstacle.contains(point);
+    });
+}
+
+// Every nearest point has each coordinate either from the point or from a side.
+std::optional<Vec2> nearest_free(Vec2 point, std::span<const Obstacle> obstacles) {
+    if (!is_in(point, obstacles)) {
+        return point;
+    }
+    std::vector<double> xs{point.x};
+    std::vector<double> ys{point.y};
+    for (const Obstacle& obstacle : obstacles) {
+        for (const double x : {obstacle.left, obstacle.right}) {
+            if (std::isfinite(x)) {
+                xs.push_back(x);
+            }
+        }
+        for (const double y : {obstacle.top, obstacle.bottom}) {
+            if (std::isfinite(y)) {
+                ys.push_back(y);
+            }
+        }
+    }
+    std::optional<Vec2> best;
+    double least = infinity;
+    for (const double y : ys) {
+        for (const double x : xs) {
+            const double distance = std::hypot(x - point.x, y - point.y);
+            const bool nearer = distance < least || (distance == least && best && y < best->y);
+            if (nearer && !is_in({x, y}, obstacles)) {
+                best = {x, y};
+                least = distance;
+            }
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+FreeSpace FreeSpace::box(double left, double top, double right, double bottom) {
+    FreeSpace space({{.right = left}, {.left = right}, {.bottom = top}, {.top = bottom}});
+    space.is_box_ = true;
+    return space;
+}
+
+FreeSpace FreeSpace::among(std::vector<Rect> rooms, Size box) {
+    std::erase_if(rooms, [](const Rect& room) { return room.empty(); });
+    if (rooms.empty()) {
+        return {};
+    }
+    close_gaps(rooms);
+    const Rect& largest = *std::ranges::max_element(rooms, {}, &Rect::area);
+    FreeSpace space(obstacles_for(rooms, box));
+    if (!nearest_free(
+            {static_cast<double>(largest.x), static_cast<double>(largest.y)}, space.obstacles_
+        )) {
+        const Size fitting{
+            std::min(box.width, largest.width), std::min(box.height, largest.height)
+        };
+        space.obstacles_ = obstacles_for(rooms, fitting);
+        space.overhang_ = {(box.width - fitting.width) / 2.0, (box.height - fitting.height) / 2.0};
+    }
+    space.is_box_ = space.obstacles_.size() == 4;
+    return space;
+}
+
+bool FreeSpace::contains(Vec2 point) const {
+    return !is_in(point, obstacles_);
+}
+
+Vec2 FreeSpace::nearest(Vec2 point) const {
+    // From farther away than this, distances would overflow or be all the same.
+    constexpr double far = 1e9;
+    const Vec2 near{std::clamp(point.x, -far, far), std::clamp(point.y, -far, far)};
+    return nearest_free(near, obstacles_).value_or(near);
+}
+
+std::optional<Support> FreeSpace::support(Vec2 point) const {
+    std::optional<Support> found;
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (const Obstacle& obstacle : obstacles_) {
+            if (obstacle.top != point.y) {
+                continue;
+            }
+            if (!found) {
+                if (point.x > obstacle.left && point.x < obstacle.right) {
+                    found = {obstacle.left, obstacle.right};
+                    grows = true;
+                }
+            } else if (obstacle.left <= found->right && obstacle.right >= found->left &&
+                       (obstacle.left < found->left || obstacle.right > found->right)) {
+                found->left = std::min(found->left, obstacle.left);
+                found->right = std::max(found->right, obstacle.right);
+                grows = true;
+            }
+        }
+    }
+    return found;
+}
+
+Support FreeSpace::corridor(Vec2 point) const {
+    Support walls{-infinity, infinity};
+    for (const Obstacle& obstacle : obstacles_) {
+        if (point.y <= obstacle.top || point.y >= obstacle.bottom) {
+            continue;
+        }
+        if (obstacle.right <= point.x) {
+            walls.left = std::max(walls.left, obstacle.right);
+        }
+        if (obstacle.left >= point.x) {
+            walls.right = std::min(walls.right, obstacle.left);
+        }
+    }
+    return walls;
+}
+
+}  // namespace hyrax

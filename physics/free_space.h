@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Where a box may be, as places for its top-left corner: the free part of its configuration space.
+// A box meets a solid where its corner meets the solid expanded by the box, so that the motion of
+// a box among rectangles is the motion of a point among larger rectangles, and edges that two
+// monitors share are no obstacles at all.
+#pragma once
+
+#include "physics/geometry.h"
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace hyrax {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// An open rectangle that the point must not enter [px]; sides may be infinite.
+struct Obstacle {
+    double left = -infinity;
+    double top = -infinity;
+    double right = infinity;
+    double bottom = infinity;
+
+    bool contains(Vec2 p) const { return p.x > left && p.x < right && p.y > top && p.y < bottom; }
+    bool operator==(const Obstacle&) const = default;
+};
+
+/// A stretch of floor [px], both ends excluded.
+struct Support {
+    double left = 0.0;
+    double right = 0.0;
+};
+
+/// Immutable. The default one is unbounded: no walls, no floor.
+class FreeSpace {
+public:
+    FreeSpace() = default;
+    explicit FreeSpace(std::vector<Obstacle> obstacles) : obstacles_(std::move(obstacles)) {}
+    /// One box with walls on all sides: left <= x <= right, top <= y <= bottom.
+    static FreeSpace box(double left, double top, double right, double bottom);
+    /// The places where a box of this size lies inside the union of the rooms. Gaps between rooms
+    /// below 2 px are closed. A box that fits nowhere is pinned: it moves as if it were as wide or
+    /// as high as the largest room, and overhang() tells by how much it really is larger.
+    static FreeSpace among(std::vector<Rect> rooms, Size box);
+
+    std::span<const Obstacle> obstacles() const { return obstacles_; }
+    bool empty() const { return obstacles_.empty(); }
+    /// Half of what the box sticks out of the largest room [px], zero for a box that fits:
+    /// its top-left corner is the point minus this.
+    Vec2 overhang() const { return overhang_; }
+    bool contains(Vec2 point) const;
+    /// The nearest place, of two equally near ones the upper. Sides belong to the space.
+    Vec2 nearest(Vec2 point) const;
+    /// The floor on which the point lies, across all solids of this height.
+    std::optional<Support> support(Vec2 point) const;
+    /// The two walls that face each other at this place, infinite where there is none.
+    Support corridor(Vec2 point) const;
+    /// True if the space is one box: walls are the same at every height.
+    bool is_box() const { return is_box_; }
+
+    bool operator==(const FreeSpace&) const = default;
+
+private:
+    std::vector<Obstacle> obstacles_;
+    Vec2 overhang_;
+    bool is_box_ = false;
+};
+
+}  // namespace hyrax
