@@ -11,6 +11,8 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <utility>
@@ -43,6 +45,28 @@ hyrax::Profile profile_for(const hyrax::HeadlessCommandLine& line) {
     };
 }
 
+// `busy`: real time that the whole run took [ns].
+void report(const hyrax::Daemon& daemon, hyrax::HeadlessDesktop& desktop, double busy) {
+    const hyrax::EngineReport engine = daemon.engine().report();
+    const double seconds = hyrax::to_seconds(desktop.now());
+    fmt::print(
+        "{} pets ({} moving, {} asleep) after {} s: {} frames shown, {} timer wake-ups\n",
+        daemon.engine().size(),
+        engine.awake,
+        engine.asleep,
+        seconds,
+        desktop.presents(),
+        desktop.timer_wakeups()
+    );
+    fmt::print(
+        "{}: {:.1f} contacts a second, energy {:.4g} px^2/s^2, {:.0f} ns for each frame\n",
+        hyrax::name_of(daemon.engine().settings().integrator),
+        seconds > 0.0 ? static_cast<double>(engine.contacts) / seconds : 0.0,
+        engine.energy,
+        busy / static_cast<double>(std::max<std::size_t>(1, desktop.presents()))
+    );
+}
+
 int run(const hyrax::HeadlessCommandLine& line) {
     const auto monitors = hyrax::parse_monitors(line.monitors);
     if (!monitors) {
@@ -66,7 +90,9 @@ int run(const hyrax::HeadlessCommandLine& line) {
 
     hyrax::HeadlessDesktop desktop(*monitors, hyrax::from_seconds(line.seconds));
     hyrax::Daemon daemon(desktop, std::move(options));
+    const auto begin = std::chrono::steady_clock::now();
     daemon.run();
+    const std::chrono::duration<double, std::nano> busy = std::chrono::steady_clock::now() - begin;
 
     if (line.snapshot) {
         const auto image = hyrax::picture(desktop.last_frame(), *monitors);
@@ -74,14 +100,7 @@ int run(const hyrax::HeadlessCommandLine& line) {
             return failed(written.error());
         }
     }
-    fmt::print(
-        "{} pets ({} moving) after {} s: {} frames shown, {} timer wake-ups\n",
-        daemon.engine().size(),
-        daemon.engine().awake_count(),
-        hyrax::to_seconds(desktop.now()),
-        desktop.presents(),
-        desktop.timer_wakeups()
-    );
+    report(daemon, desktop, busy.count());
     return exit_ok;
 }
 

@@ -35,6 +35,9 @@ struct Config {
     bool operator==(const Config&) const = default;
 };
 
+/// As config.json spells it.
+std::string_view name_of(Integrator integrator);
+
 /// A config and what was odd about it, each line naming file, line, column and key.
 struct LoadedConfig {
     Config config;

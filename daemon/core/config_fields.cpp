@@ -21,6 +21,15 @@ constexpr std::array config_keys{
         "The schema by which an editor explains and completes this file."
     },
     Field<Config>{
+        "/physics/integrator",
+        [](Config& c) -> Slot { return &c.engine.integrator; },
+        {},
+        "",
+        "How motion is computed. event_driven is exact at any frame rate; semi_implicit_euler is "
+        "the document's law once a frame.",
+        integrator_names
+    },
+    Field<Config>{
         "/physics/gravity",
         [](Config& c) -> Slot { return &c.engine.physics.gravity; },
         {0.0, 1e9},
@@ -39,14 +48,14 @@ constexpr std::array config_keys{
         [](Config& c) -> Slot { return &c.engine.physics.air_drag; },
         {0, 1},
         "",
-        "Share of its velocity that a pet keeps in each frame: 1 is a vacuum."
+        "Share of its velocity that a pet keeps in a frame of reference_rate: 1 is a vacuum."
     },
     Field<Config>{
         "/physics/ground_friction",
         [](Config& c) -> Slot { return &c.engine.physics.ground_friction; },
         {0, 1},
         "",
-        "Share of its sideways velocity that a pet keeps in each frame on the ground: 1 is ice."
+        "Share of its sideways velocity that a pet keeps in a frame on the ground: 1 is ice."
     },
     Field<Config>{
         "/physics/rest_threshold",
@@ -54,6 +63,34 @@ constexpr std::array config_keys{
         {0, 1e6},
         "px/s",
         "A pet that would bounce up slower than this stays on the ground."
+    },
+    Field<Config>{
+        "/physics/reference_rate",
+        [](Config& c) -> Slot { return &c.engine.reference_rate; },
+        {1, 1000},
+        "frames/s",
+        "The frame rate that air_drag and ground_friction are meant for."
+    },
+    Field<Config>{
+        "/physics/fixed_rate",
+        [](Config& c) -> Slot { return &c.engine.fixed_rate; },
+        {10, 10000},
+        "steps/s",
+        "Steps of semi_implicit_euler_fixed; no other integrator has any."
+    },
+    Field<Config>{
+        "/physics/grip_frequency",
+        [](Config& c) -> Slot { return &c.engine.hand.frequency; },
+        {1, 1000},
+        "rad/s",
+        "How stiff the spring is that holds a grabbed pet on the pointer."
+    },
+    Field<Config>{
+        "/physics/grip_damping",
+        [](Config& c) -> Slot { return &c.engine.hand.damping_ratio; },
+        {0, 100},
+        "",
+        "Damping of that spring: below 1 it swings, 1 is the quickest without swinging."
     },
     Field<Config>{
         "/pets/start",
@@ -95,7 +132,7 @@ constexpr std::array config_keys{
         [](Config& c) -> Slot { return &c.fps; },
         {1, 1000},
         "frames/s",
-        "Frames drawn while a pet moves. air_drag and ground_friction act once a frame."
+        "Frames drawn while a pet moves."
     },
     Field<Config>{
         "/overlay/floor",
@@ -170,6 +207,10 @@ constexpr std::array start_keys{
 };
 
 }  // namespace
+
+std::string_view name_of(Integrator integrator) {
+    return integrator_names[static_cast<std::size_t>(integrator)];
+}
 
 std::span<const Field<Config>> config_table() {
     return config_keys;

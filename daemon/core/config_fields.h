@@ -19,6 +19,16 @@ namespace hyrax {
 /// In the order of FloorEdge.
 inline constexpr std::array<std::string_view, 2> floor_names{"work_area", "screen"};
 
+/// In the order of Integrator.
+inline constexpr std::array<std::string_view, 6> integrator_names{
+    "event_driven",
+    "semi_implicit_euler",
+    "semi_implicit_euler_fixed",
+    "exponential_swept",
+    "stormer_verlet",
+    "rk45"
+};
+
 /// An item of /pets/start while its x and y are still apart.
 struct StartItem {
     StartPets pets;
@@ -38,6 +48,7 @@ using Slot = std::variant<
     std::size_t*,
     std::string*,
     FloorEdge*,
+    Integrator*,
     std::vector<std::string>*,
     std::vector<StartPets>*>;
 

@@ -64,17 +64,23 @@ struct SlotReader {
     void operator()(std::string* slot) const {
         assign(*slot, field.choices.empty() ? value.name() : value.choice(field.choices));
     }
-    void operator()(FloorEdge* slot) const {
-        if (const std::optional<std::string> name = value.choice(field.choices)) {
-            *slot = *name == floor_names[0] ? FloorEdge::work_area : FloorEdge::screen;
-        }
-    }
+    void operator()(FloorEdge* slot) const { choose(*slot); }
+    void operator()(Integrator* slot) const { choose(*slot); }
     void operator()(std::vector<std::string>* slot) const {
         fill(*slot, [](const JsonValue& item) { return item.path_pattern(); });
     }
     void operator()(std::vector<StartPets>* slot) const { fill(*slot, read_start_item); }
 
 private:
+    // The names stand in the order of the enumeration.
+    void choose(auto& slot) const {
+        if (const std::optional<std::string> name = value.choice(field.choices)) {
+            const auto found = std::ranges::find(field.choices, *name);
+            slot =
+                static_cast<std::remove_reference_t<decltype(slot)>>(found - field.choices.begin());
+        }
+    }
+
     std::optional<int> whole() const {
         return value.whole_number(
             static_cast<int>(field.range.low), static_cast<int>(field.range.high)
@@ -146,6 +152,7 @@ struct SlotType {
     std::string_view operator()(const std::size_t*) const { return "integer"; }
     std::string_view operator()(const std::string*) const { return "string"; }
     std::string_view operator()(const FloorEdge*) const { return "string"; }
+    std::string_view operator()(const Integrator*) const { return "string"; }
     std::string_view operator()(const std::vector<std::string>*) const { return "array"; }
     std::string_view operator()(const std::vector<StartPets>*) const { return "array"; }
 };
@@ -155,6 +162,9 @@ struct SlotDefault {
     std::string operator()(const std::optional<double>*) const { return {}; }
     std::string operator()(const FloorEdge* slot) const {
         return json(floor_names[static_cast<std::size_t>(*slot)]).dump();
+    }
+    std::string operator()(const Integrator* slot) const {
+        return json(integrator_names[static_cast<std::size_t>(*slot)]).dump();
     }
     std::string operator()(const std::vector<StartPets>* slot) const {
         json list = json::array();

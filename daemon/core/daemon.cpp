@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/core/daemon.h"
 
+#include "daemon/core/config_advice.h"
+#include "daemon/core/files.h"
+
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -222,8 +225,12 @@ void Daemon::read_config() {
     config_ = loaded->config;
     config_.fps = fps_.value_or(config_.fps);
     spdlog::set_level(spdlog::level::from_str(config_.log_level));
+    for (const std::string& line : advice_on(config_.engine, config_.fps)) {
+        spdlog::warn("{}: {}", utf8_from_path(profile_.config.filename()), line);
+    }
     spdlog::info(
-        "settings: gravity {} px/s^2, restitution {}, {} frames/s",
+        "settings: {}, gravity {} px/s^2, restitution {}, {} frames/s",
+        name_of(config_.engine.integrator),
         config_.engine.physics.gravity,
         config_.engine.physics.restitution,
         config_.fps

@@ -36,6 +36,16 @@ struct EngineSettings {
     bool operator==(const EngineSettings&) const = default;
 };
 
+/// How much there is to do, and what has been done.
+struct EngineReport {
+    std::size_t awake = 0;
+    std::size_t asleep = 0;
+    std::uint64_t contacts = 0;  ///< Impacts, edges and stops since the start.
+    /// Kinetic and potential energy of all pets per unit of mass, above the lowest floor
+    /// [px^2/s^2].
+    double energy = 0.0;
+};
+
 struct SpawnOptions {
     std::string kind = "hyrax";
     std::optional<Vec2> at{};  ///< Top-left corner [px]; without it, somewhere along a top edge.
@@ -107,6 +117,8 @@ public:
         pets_.for_each(visit);
     }
 
+    EngineReport report() const;
+
     void listen(EventMask mask) { listening_ = mask; }
     bool has_events() const { return !events_.empty(); }
     /// The events since the last call, oldest first.
@@ -149,6 +161,7 @@ private:
     std::vector<Held> held_;
     std::vector<Event> events_;
     EventMask listening_;
+    std::uint64_t contacts_ = 0;
     std::minstd_rand random_;
     Ticks now_ = 0;
 };

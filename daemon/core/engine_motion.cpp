@@ -74,6 +74,7 @@ void Engine::advance(PetId id, Pet& pet, Ticks now) {
 }
 
 void Engine::meet(PetId id, Pet& pet, const TrajectoryEvent& event) {
+    ++contacts_;
     const std::optional<Side> side = side_of(event.kind);
     if (!side) {
         return;
@@ -82,6 +83,19 @@ void Engine::meet(PetId id, Pet& pet, const TrajectoryEvent& event) {
     if (*side == Side::bottom && !std::exchange(pet.landed, true)) {
         emit({.kind = EventKind::land, .pet = id, .speed = event.speed});
     }
+}
+
+EngineReport Engine::report() const {
+    EngineReport report{
+        .awake = awake_.size(), .asleep = size() - awake_.size(), .contacts = contacts_
+    };
+    const double lowest = arena_.bounds().bottom();
+    pets_.for_each([&](PetId, const Pet& pet) {
+        const Vec2 v = pet.velocity();
+        const double height = lowest - box_of(pet).height - pet.position().y;
+        report.energy += 0.5 * (v.x * v.x + v.y * v.y) + settings_.physics.gravity * height;
+    });
+    return report;
 }
 
 bool Engine::advance_held(Ticks time) {

@@ -27,7 +27,8 @@ class Program(unittest.TestCase):
         done = run("--seconds", 5, "--trace", trace, "--snapshot", picture, "--for-testing",
                    "--monitors", "800x600+0+0,640x480-640+50")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("pets", done.stdout)
+        self.assertRegex(done.stdout, r"3 pets \(0 moving, 3 asleep\) after 5 s: \d+ frames shown")
+        self.assertRegex(done.stdout, r"event_driven: [\d.]+ contacts a second, energy 0 px\^2/s\^2, \d+ ns")
         rows = list(csv.DictReader(trace.open()))
         self.assertGreater(len(rows), 200)
         self.assertTrue(all(-640 <= float(row["x"]) <= 800 for row in rows))
@@ -51,6 +52,13 @@ class Program(unittest.TestCase):
             traces.append((self.folder / name).read_bytes())
         self.assertEqual(traces[0], traces[1])
         self.assertGreater(len(traces[0]), 10_000)
+
+    def test_settings_that_surprise_are_explained(self):
+        config = self.folder / "config.json"
+        config.write_text('{"physics": {"gravity": 1e9}}')
+        done = run("--config", config, "--seconds", 1)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("warning: config.json: /physics/gravity: 1e+09 px/s^2 is strong: a pet rests within", done.stderr)
 
     def test_script_errors_name_file_and_line(self):
         script = self.folder / "wrong.lua"
