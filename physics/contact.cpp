@@ -5,50 +5,73 @@
 #include "physics/time_of_impact.h"
 
 #include <cmath>
+#include <span>
 
 namespace hyrax {
 namespace {
 
+// Roundings may put a body that aims at a corner past both of its sides, and so into the solid: the
+// wall takes it [px].
+constexpr double corner_slack = 1e-9;
+
 // True if a point on the line of a side meets the side itself. Its ends belong to whoever moves
-// inwards there: corners are met, and a body that slides along a side is not stopped by its end.
-bool meets(AxisState along, double acceleration, double low, double high) {
+// inwards there, within `slack`: corners are met, and a body that slides along a side is not
+// stopped by its end.
+bool meets(AxisState along, double acceleration, const Side& side, double slack) {
     const auto moves = [&](double direction) {
         return along.velocity * direction > 0.0 ||
                (along.velocity == 0.0 && acceleration * direction > 0.0);
     };
-    return (along.offset > low && along.offset < high) || (along.offset == low && moves(1.0)) ||
-           (along.offset == high && moves(-1.0));
+    const double at = along.offset;
+    return (at > side.low && at < side.high) ||
+           (at <= side.low && at >= side.low - slack && moves(1.0)) ||
+           (at >= side.high && at <= side.high + slack && moves(-1.0));
 }
 
 class AirSearch {
 public:
     AirSearch(const BodyState& state, const Law& law) : state_(state), law_(law) {}
 
-    void wall(const Obstacle& obstacle) {
-        if (state_.velocity.x > 0.0 && state_.position.x <= obstacle.left) {
-            wall_at(obstacle, obstacle.left, ContactKind::right_wall);
-        } else if (state_.velocity.x < 0.0 && state_.position.x >= obstacle.right) {
-            wall_at(obstacle, obstacle.right, ContactKind::left_wall);
+    void floors(std::span<const Side> sides) {
+        const double vy = state_.velocity.y;
+        for (const Side& side : sides) {
+            // One below the floor that is met already cannot be met before it.
+            if (best.kind == ContactKind::floor && side.at >= best.side) {
+                continue;
+            }
+            const double t = fall_time(side.at - state_.position.y, vy, law_.gravity, law_.drag);
+            // A body without vertical velocity that lies on a floor already has left it sideways.
+            if (t < best.time && (t > 0.0 || vy > 0.0) && reaches(side, t)) {
+                best = {t, ContactKind::floor, side.at};
+            }
         }
     }
 
-    void floor_and_ceiling(const Obstacle& obstacle) {
-        const double vy = state_.velocity.y;
-        // A floor below the one that is met already cannot be met before it.
-        if (obstacle.top != -infinity &&
-            (best.kind != ContactKind::floor || obstacle.top < best.side)) {
-            const double t =
-                fall_time(obstacle.top - state_.position.y, vy, law_.gravity, law_.drag);
-            // A body without vertical velocity that lies on a floor already has left it sideways.
-            if (t < best.time && (t > 0.0 || vy > 0.0)) {
-                level_at(obstacle, t, obstacle.top, ContactKind::floor);
+    void ceilings(std::span<const Side> sides) {
+        const double rising = -state_.velocity.y;
+        for (const Side& side : sides) {
+            const double height = state_.position.y - side.at;
+            if (height >= 0.0) {
+                const double t = rise_time(height, rising, law_.gravity, law_.drag);
+                if (t < best.time && reaches(side, t)) {
+                    best = {t, ContactKind::ceiling, side.at};
+                }
             }
         }
-        if (vy < 0.0 && state_.position.y >= obstacle.bottom) {
-            const double t =
-                rise_time(state_.position.y - obstacle.bottom, -vy, law_.gravity, law_.drag);
-            if (t < best.time) {
-                level_at(obstacle, t, obstacle.bottom, ContactKind::ceiling);
+    }
+
+    // `direction`: 1 for walls on the right, -1 for walls on the left.
+    void walls(std::span<const Side> sides, double direction, ContactKind kind) {
+        const double speed = direction * state_.velocity.x;
+        for (const Side& side : sides) {
+            const double distance = direction * (side.at - state_.position.x);
+            // Drag makes it later than a uniform motion, which costs no logarithm.
+            if (distance < 0.0 || distance >= best.time * speed) {
+                continue;
+            }
+            const double t = glide_time(distance, speed, law_.drag);
+            if (t < best.time && is_hit(side, t)) {
+                best = {t, kind, side.at};
             }
         }
     }
@@ -56,32 +79,22 @@ public:
     Contact best;
 
 private:
-    void wall_at(const Obstacle& obstacle, double side, ContactKind kind) {
-        const double distance = std::fabs(side - state_.position.x);
-        const double t = glide_time(distance, std::fabs(state_.velocity.x), law_.drag);
-        if (t < best.time && wall_is_there(obstacle, t)) {
-            best = {t, kind, side};
-        }
-    }
-
-    bool wall_is_there(const Obstacle& obstacle, double t) const {
-        if (obstacle.top == -infinity && obstacle.bottom == infinity) {
+    bool is_hit(const Side& wall, double t) const {
+        if (wall.low == -infinity && wall.high == infinity) {
             return true;
         }
         AxisState y = fly(state_.velocity.y, law_.gravity, law_.drag, t);
         y.offset += state_.position.y;
-        return meets(y, law_.gravity, obstacle.top, obstacle.bottom);
+        return meets(y, law_.gravity, wall, corner_slack);
     }
 
-    void level_at(const Obstacle& obstacle, double t, double side, ContactKind kind) {
-        if (obstacle.left != -infinity || obstacle.right != infinity) {
-            AxisState x = glide(state_.velocity.x, law_.drag, t);
-            x.offset += state_.position.x;
-            if (!meets(x, 0.0, obstacle.left, obstacle.right)) {
-                return;
-            }
+    bool reaches(const Side& level, double t) const {
+        if (level.low == -infinity && level.high == infinity) {
+            return true;
         }
-        best = {t, kind, side};
+        AxisState x = glide(state_.velocity.x, law_.drag, t);
+        x.offset += state_.position.x;
+        return meets(x, 0.0, level, 0.0);
     }
 
     const BodyState& state_;
@@ -90,14 +103,14 @@ private:
 
 Contact air_contact(const BodyState& state, const Law& law, const FreeSpace& space, Walls walls) {
     AirSearch search(state, law);
-    // Walls first: they cost least, and what is later than the first of them is not looked at.
-    if (walls == Walls::meet) {
-        for (const Obstacle& obstacle : space.obstacles()) {
-            search.wall(obstacle);
-        }
+    search.floors(space.floors());
+    if (state.velocity.y < 0.0) {
+        search.ceilings(space.ceilings());
     }
-    for (const Obstacle& obstacle : space.obstacles()) {
-        search.floor_and_ceiling(obstacle);
+    if (walls == Walls::meet && state.velocity.x > 0.0) {
+        search.walls(space.right_walls(), 1.0, ContactKind::right_wall);
+    } else if (walls == Walls::meet && state.velocity.x < 0.0) {
+        search.walls(space.left_walls(), -1.0, ContactKind::left_wall);
     }
     if (law.gravity == 0.0 && law.drag > 0.0) {
         const double speed = std::hypot(state.velocity.x, state.velocity.y);
@@ -121,7 +134,10 @@ Contact ground_contact(const BodyState& state, const Law& law, const FreeSpace& 
         }
     };
     const Support walls = space.corridor(state.position);
-    const Support floor = space.support(state.position).value_or(Support{-infinity, infinity});
+    // A corner that was met exactly is no part of the floor, but what lies before the body is.
+    const double ahead = std::nextafter(state.position.x, to_the_right ? infinity : -infinity);
+    const Support floor = space.support({ahead, state.position.y})
+                              .value_or(Support{state.position.x, state.position.x});
     if (to_the_right) {
         consider(ContactKind::right_wall, walls.right);
         consider(ContactKind::edge, floor.right);
@@ -176,26 +192,6 @@ BodyState after_floor(BodyState state, const Contact& contact, const Law& law) {
 }
 
 }  // namespace
-
-BodyState free_motion(const BodyState& state, const Law& law, double t) {
-    BodyState moved = state;
-    if (state.mode == Mode::air && law.drag == 0.0) {
-        moved.position.x += state.velocity.x * t;
-        moved.position.y += t * (state.velocity.y + 0.5 * law.gravity * t);
-        moved.velocity.y += law.gravity * t;
-    } else if (state.mode == Mode::air) {
-        const PhiFunctions phi = phi_functions(-law.drag * t);
-        moved.position.x += state.velocity.x * t * phi.phi1;
-        moved.position.y += t * (state.velocity.y * phi.phi1 + law.gravity * t * phi.phi2);
-        moved.velocity.x *= phi.exp;
-        moved.velocity.y = state.velocity.y * phi.exp + law.gravity * t * phi.phi1;
-    } else if (state.mode == Mode::ground) {
-        const AxisState x = glide(state.velocity.x, law.ground_drag, t);
-        moved.position.x += x.offset;
-        moved.velocity.x = x.velocity;
-    }
-    return moved;
-}
 
 Contact next_contact(const BodyState& state, const Law& law, const FreeSpace& space, Walls walls) {
     switch (state.mode) {

@@ -2,6 +2,7 @@
 // What a body meets next, and what the meeting makes of it.
 #pragma once
 
+#include "physics/flight.h"
 #include "physics/free_space.h"
 #include "physics/law.h"
 
@@ -42,7 +43,25 @@ struct Contact {
 };
 
 /// Where free motion, without any contact, leads after `t` [s].
-BodyState free_motion(const BodyState& state, const Law& law, double t);
+inline BodyState free_motion(const BodyState& state, const Law& law, double t) {
+    BodyState moved = state;
+    if (state.mode == Mode::air && law.drag == 0.0) {
+        moved.position.x += state.velocity.x * t;
+        moved.position.y += t * (state.velocity.y + 0.5 * law.gravity * t);
+        moved.velocity.y += law.gravity * t;
+    } else if (state.mode == Mode::air) {
+        const PhiFunctions phi = phi_functions(-law.drag * t);
+        moved.position.x += state.velocity.x * t * phi.phi1;
+        moved.position.y += t * (state.velocity.y * phi.phi1 + law.gravity * t * phi.phi2);
+        moved.velocity.x *= phi.exp;
+        moved.velocity.y = state.velocity.y * phi.exp + law.gravity * t * phi.phi1;
+    } else if (state.mode == Mode::ground) {
+        const AxisState x = glide(state.velocity.x, law.ground_drag, t);
+        moved.position.x += x.offset;
+        moved.velocity.x = x.velocity;
+    }
+    return moved;
+}
 
 /// Which walls count as contacts.
 enum class Walls : std::uint8_t { meet, ignore };

@@ -21,7 +21,7 @@ struct Crossings {
             return n * width / speed;
         }
         const double growth = -std::log(restitution);
-        return width / speed * std::expm1(n * growth) / (1.0 / restitution - 1.0);
+        return width / speed * std::expm1(n * growth) * restitution / (1.0 - restitution);
     }
 
     double complete_at(double time) const {
@@ -29,7 +29,8 @@ struct Crossings {
             return std::floor(time * speed / width);
         }
         const double estimate = std::floor(
-            std::log1p(time * speed * (1.0 / restitution - 1.0) / width) / -std::log(restitution)
+            std::log1p(time * speed * (1.0 - restitution) / restitution / width) /
+            -std::log(restitution)
         );
         // The logarithm may be off by a rounding, and so by a whole crossing.
         if (estimate > 0.0 && end(estimate) > time) {

@@ -152,6 +152,20 @@ std::optional<Vec2> nearest_free(Vec2 point, std::span<const Obstacle> obstacles
 
 }  // namespace
 
+FreeSpace::FreeSpace(std::vector<Obstacle> obstacles) : obstacles_(std::move(obstacles)) {
+    for (const Obstacle& o : obstacles_) {
+        const auto add = [](std::vector<Side>& sides, const Side& side) {
+            if (std::isfinite(side.at)) {
+                sides.push_back(side);
+            }
+        };
+        add(right_walls_, {o.left, o.top, o.bottom});
+        add(left_walls_, {o.right, o.top, o.bottom});
+        add(floors_, {o.top, o.left, o.right});
+        add(ceilings_, {o.bottom, o.left, o.right});
+    }
+}
+
 FreeSpace FreeSpace::box(double left, double top, double right, double bottom) {
     FreeSpace space({{.right = left}, {.left = right}, {.bottom = top}, {.top = bottom}});
     space.is_box_ = true;
@@ -172,18 +186,14 @@ FreeSpace FreeSpace::among(std::vector<Rect> rooms, Size box) {
         const Size fitting{
             std::min(box.width, largest.width), std::min(box.height, largest.height)
         };
-        space.obstacles_ = obstacles_for(rooms, fitting);
+        space = FreeSpace(obstacles_for(rooms, fitting));
         space.overhang_ = {(box.width - fitting.width) / 2.0, (box.height - fitting.height) / 2.0};
     }
     space.is_box_ = space.obstacles_.size() == 4;
     return space;
 }
 
-bool FreeSpace::contains(Vec2 point) const {
-    return !is_in(point, obstacles_);
-}
-
-Vec2 FreeSpace::nearest(Vec2 point) const {
+Vec2 FreeSpace::moved_inside(Vec2 point) const {
     // From farther away than this, distances would overflow or be all the same.
     constexpr double far = 1e9;
     const Vec2 near{std::clamp(point.x, -far, far), std::clamp(point.y, -far, far)};
@@ -194,19 +204,19 @@ std::optional<Support> FreeSpace::support(Vec2 point) const {
     std::optional<Support> found;
     for (bool grows = true; grows;) {
         grows = false;
-        for (const Obstacle& obstacle : obstacles_) {
-            if (obstacle.top != point.y) {
+        for (const Side& floor : floors_) {
+            if (floor.at != point.y) {
                 continue;
             }
             if (!found) {
-                if (point.x > obstacle.left && point.x < obstacle.right) {
-                    found = {obstacle.left, obstacle.right};
+                if (point.x > floor.low && point.x < floor.high) {
+                    found = {floor.low, floor.high};
                     grows = true;
                 }
-            } else if (obstacle.left <= found->right && obstacle.right >= found->left &&
-                       (obstacle.left < found->left || obstacle.right > found->right)) {
-                found->left = std::min(found->left, obstacle.left);
-                found->right = std::max(found->right, obstacle.right);
+            } else if (floor.low <= found->right && floor.high >= found->left &&
+                       (floor.low < found->left || floor.high > found->right)) {
+                found->left = std::min(found->left, floor.low);
+                found->right = std::max(found->right, floor.high);
                 grows = true;
             }
         }
@@ -216,15 +226,14 @@ std::optional<Support> FreeSpace::support(Vec2 point) const {
 
 Support FreeSpace::corridor(Vec2 point) const {
     Support walls{-infinity, infinity};
-    for (const Obstacle& obstacle : obstacles_) {
-        if (point.y <= obstacle.top || point.y >= obstacle.bottom) {
-            continue;
+    for (const Side& wall : left_walls_) {
+        if (point.y > wall.low && point.y < wall.high && wall.at <= point.x) {
+            walls.left = std::max(walls.left, wall.at);
         }
-        if (obstacle.right <= point.x) {
-            walls.left = std::max(walls.left, obstacle.right);
-        }
-        if (obstacle.left >= point.x) {
-            walls.right = std::min(walls.right, obstacle.left);
+    }
+    for (const Side& wall : right_walls_) {
+        if (point.y > wall.low && point.y < wall.high && wall.at >= point.x) {
+            walls.right = std::min(walls.right, wall.at);
         }
     }
     return walls;

@@ -27,6 +27,15 @@ struct Obstacle {
     bool operator==(const Obstacle&) const = default;
 };
 
+/// A side of an obstacle: where it lies on the axis that it blocks, and how far it reaches on the
+/// other one [px], both ends excluded.
+struct Side {
+    double at = 0.0;
+    double low = 0.0;
+    double high = 0.0;
+    bool operator==(const Side&) const = default;
+};
+
 /// A stretch of floor [px], both ends excluded.
 struct Support {
     double left = 0.0;
@@ -37,7 +46,7 @@ struct Support {
 class FreeSpace {
 public:
     FreeSpace() = default;
-    explicit FreeSpace(std::vector<Obstacle> obstacles) : obstacles_(std::move(obstacles)) {}
+    explicit FreeSpace(std::vector<Obstacle> obstacles);
     /// One box with walls on all sides: left <= x <= right, top <= y <= bottom.
     static FreeSpace box(double left, double top, double right, double bottom);
     /// The places where a box of this size lies inside the union of the rooms. Gaps between rooms
@@ -46,13 +55,24 @@ public:
     static FreeSpace among(std::vector<Rect> rooms, Size box);
 
     std::span<const Obstacle> obstacles() const { return obstacles_; }
-    bool empty() const { return obstacles_.empty(); }
+    /// Met by moving to the right, to the left, downwards and upwards.
+    std::span<const Side> right_walls() const { return right_walls_; }
+    std::span<const Side> left_walls() const { return left_walls_; }
+    std::span<const Side> floors() const { return floors_; }
+    std::span<const Side> ceilings() const { return ceilings_; }
     /// Half of what the box sticks out of the largest room [px], zero for a box that fits:
     /// its top-left corner is the point minus this.
     Vec2 overhang() const { return overhang_; }
-    bool contains(Vec2 point) const;
+    bool contains(Vec2 point) const {
+        for (const Obstacle& obstacle : obstacles_) {
+            if (obstacle.contains(point)) {
+                return false;
+            }
+        }
+        return true;
+    }
     /// The nearest place, of two equally near ones the upper. Sides belong to the space.
-    Vec2 nearest(Vec2 point) const;
+    Vec2 nearest(Vec2 point) const { return contains(point) ? point : moved_inside(point); }
     /// The floor on which the point lies, across all solids of this height.
     std::optional<Support> support(Vec2 point) const;
     /// The two walls that face each other at this place, infinite where there is none.
@@ -63,7 +83,13 @@ public:
     bool operator==(const FreeSpace&) const = default;
 
 private:
+    Vec2 moved_inside(Vec2 point) const;
+
     std::vector<Obstacle> obstacles_;
+    std::vector<Side> right_walls_;
+    std::vector<Side> left_walls_;
+    std::vector<Side> floors_;
+    std::vector<Side> ceilings_;
     Vec2 overhang_;
     bool is_box_ = false;
 };

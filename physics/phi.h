@@ -2,9 +2,7 @@
 // The phi-functions of exponential integrators (Hochbruck and Ostermann, Acta Numerica 2010).
 #pragma once
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 
 namespace hyrax {
 
@@ -17,26 +15,20 @@ struct PhiFunctions {
 /// For z <= 0, zero and -infinity included; relative errors below 1e-15.
 inline PhiFunctions phi_functions(double z) {
     if (z > -0.25) {
-        // Taylor: the quotients would cancel here. The last coefficient is 1/14!.
-        constexpr std::array<double, 13> coefficients{
-            1.0 / 87178291200.0,
-            1.0 / 6227020800.0,
-            1.0 / 479001600.0,
-            1.0 / 39916800.0,
-            1.0 / 3628800.0,
-            1.0 / 362880.0,
-            1.0 / 40320.0,
-            1.0 / 5040.0,
-            1.0 / 720.0,
-            1.0 / 120.0,
-            1.0 / 24.0,
-            1.0 / 6.0,
-            1.0 / 2.0,
-        };
-        double phi2 = coefficients[0];
-        for (std::size_t i = 1; i < coefficients.size(); ++i) {
-            phi2 = phi2 * z + coefficients[i];
-        }
+        // Taylor up to 1/14!: the quotients would cancel here.
+        double phi2 = 1.0 / 87178291200.0;
+        phi2 = phi2 * z + 1.0 / 6227020800.0;
+        phi2 = phi2 * z + 1.0 / 479001600.0;
+        phi2 = phi2 * z + 1.0 / 39916800.0;
+        phi2 = phi2 * z + 1.0 / 3628800.0;
+        phi2 = phi2 * z + 1.0 / 362880.0;
+        phi2 = phi2 * z + 1.0 / 40320.0;
+        phi2 = phi2 * z + 1.0 / 5040.0;
+        phi2 = phi2 * z + 1.0 / 720.0;
+        phi2 = phi2 * z + 1.0 / 120.0;
+        phi2 = phi2 * z + 1.0 / 24.0;
+        phi2 = phi2 * z + 1.0 / 6.0;
+        phi2 = phi2 * z + 1.0 / 2.0;
         const double phi1 = 1.0 + z * phi2;
         return {1.0 + z * phi1, phi1, phi2};
     }

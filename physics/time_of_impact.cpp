@@ -55,7 +55,7 @@ double hop_time(double speed, double gravity, double drag) {
         return 2.0 * speed / gravity;
     }
     // At the landing, t = (1 + decay) / drag * (1 - e^(-drag t)).
-    Bracket bracket{std::log1p(decay) / drag, (1.0 + decay) / drag};
+    Bracket bracket{0.0, (1.0 + decay) / drag};
     double t = decay < 0.3
                    ? 2.0 * speed / gravity *
                          (1.0 + decay * (-1.0 / 3.0 + decay * (2.0 / 9.0 - decay * 22.0 / 135.0)))
@@ -126,9 +126,6 @@ double drop_time(double depth, double velocity, double gravity, double drag) {
     }
     const double terminal = gravity / drag;
     Bracket bracket{0.0, depth / terminal};
-    if (velocity < 0.0) {
-        bracket.low = apex_time(-velocity, gravity, drag);
-    }
     if (velocity < terminal) {
         bracket.high = (depth + (terminal - velocity) / drag) / terminal;
     }

@@ -31,34 +31,24 @@ void Trajectory::launch(
     schedule(law, space);
 }
 
-BodyState Trajectory::at(Ticks now, const Law& law, const FreeSpace& space) const {
-    BodyState state = after(elapsed(now), law, space);
-    state.position = bounds_.clamp(state.position);
-    return state;
-}
-
-BodyState Trajectory::after(double t, const Law& law, const FreeSpace& space) const {
-    if (start_.mode == Mode::rest) {
-        return start_;
-    }
+BodyState Trajectory::folded(double t, const Law& law, const FreeSpace& space) const {
     BodyState state = free_motion(start_, law, t);
-    if (folded_) {
-        const FoldedMotion x = fold(
-            start_.position.x,
-            start_.velocity.x,
-            space.corridor(start_.position),
-            law.restitution,
-            law.drag,
-            t
-        );
-        state.position.x = x.position;
-        state.velocity.x = x.velocity;
-    }
+    const FoldedMotion x = fold(
+        start_.position.x,
+        start_.velocity.x,
+        space.corridor(start_.position),
+        law.restitution,
+        law.drag,
+        t
+    );
+    state.position.x = x.position;
+    state.velocity.x = x.velocity;
     return state;
 }
 
 TrajectoryEvent Trajectory::pass_event(const Law& law, const FreeSpace& space) {
-    const BodyState arriving = after(next_.time, law, space);
+    const BodyState arriving =
+        folded_ ? folded(next_.time, law, space) : free_motion(start_, law, next_.time);
     const double total = fraction_ + next_.time;
     const double whole = std::floor(total * static_cast<double>(ticks_per_second));
     const auto ticks = static_cast<Ticks>(whole);

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "physics/contact.h"
-#include "physics/phi.h"
 #include "physics/ticks.h"
 
 #include <algorithm>
@@ -62,24 +61,15 @@ public:
     }
 
     /// The state at `now`, from the last event to the next one.
-    BodyState at(Ticks now, const Law& law, const FreeSpace& space) const;
-    /// Its position alone, which is what a frame needs.
-    Vec2 position(Ticks now, const Law& law, const FreeSpace& space) const {
-        if (folded_ || start_.mode != Mode::air) {
-            return at(now, law, space).position;
-        }
+    BodyState at(Ticks now, const Law& law, const FreeSpace& space) const {
         const double t = elapsed(now);
-        if (law.drag == 0.0) {
-            return bounds_.clamp(
-                {start_.position.x + start_.velocity.x * t,
-                 start_.position.y + t * (start_.velocity.y + 0.5 * law.gravity * t)}
-            );
-        }
-        const PhiFunctions phi = phi_functions(-law.drag * t);
-        return bounds_.clamp(
-            {start_.position.x + start_.velocity.x * t * phi.phi1,
-             start_.position.y + t * (start_.velocity.y * phi.phi1 + law.gravity * t * phi.phi2)}
-        );
+        BodyState state = folded_ ? folded(t, law, space) : free_motion(start_, law, t);
+        state.position = bounds_.clamp(state.position);
+        return state;
+    }
+    /// Its position alone, which costs less.
+    Vec2 position(Ticks now, const Law& law, const FreeSpace& space) const {
+        return at(now, law, space).position;
     }
     Mode mode() const { return start_.mode; }
     /// The first moment at which the next event is past; `never` for a motion without one.
@@ -99,7 +89,7 @@ private:
     TrajectoryEvent pass_event(const Law& law, const FreeSpace& space);
     void give_up(Ticks now, const Law& law, const FreeSpace& space);
     void schedule(const Law& law, const FreeSpace& space);
-    BodyState after(double t, const Law& law, const FreeSpace& space) const;
+    BodyState folded(double t, const Law& law, const FreeSpace& space) const;
 
     BodyState start_{{}, {}, Mode::rest};
     Ticks since_ = 0;  // The moment of start_ is since_ + fraction_ [s]: events fall between ticks.
