@@ -17,7 +17,7 @@ constexpr double corner_slack = 1e-9;
 // True if a point on the line of a side meets the side itself. Its ends belong to whoever moves
 // inwards there, within `slack`: corners are met, and a body that slides along a side is not
 // stopped by its end.
-bool meets(AxisState along, double acceleration, const Side& side, double slack) {
+bool meets(AxisState along, double acceleration, const Barrier& side, double slack) {
     const auto moves = [&](double direction) {
         return along.velocity * direction > 0.0 ||
                (along.velocity == 0.0 && acceleration * direction > 0.0);
@@ -32,9 +32,9 @@ class AirSearch {
 public:
     AirSearch(const BodyState& state, const Law& law) : state_(state), law_(law) {}
 
-    void floors(std::span<const Side> sides) {
+    void floors(std::span<const Barrier> sides) {
         const double vy = state_.velocity.y;
-        for (const Side& side : sides) {
+        for (const Barrier& side : sides) {
             // One below the floor that is met already cannot be met before it.
             if (best.kind == ContactKind::floor && side.at >= best.side) {
                 continue;
@@ -47,9 +47,9 @@ public:
         }
     }
 
-    void ceilings(std::span<const Side> sides) {
+    void ceilings(std::span<const Barrier> sides) {
         const double rising = -state_.velocity.y;
-        for (const Side& side : sides) {
+        for (const Barrier& side : sides) {
             const double height = state_.position.y - side.at;
             if (height >= 0.0) {
                 const double t = rise_time(height, rising, law_.gravity, law_.drag);
@@ -61,9 +61,9 @@ public:
     }
 
     // `direction`: 1 for walls on the right, -1 for walls on the left.
-    void walls(std::span<const Side> sides, double direction, ContactKind kind) {
+    void walls(std::span<const Barrier> sides, double direction, ContactKind kind) {
         const double speed = direction * state_.velocity.x;
-        for (const Side& side : sides) {
+        for (const Barrier& side : sides) {
             const double distance = direction * (side.at - state_.position.x);
             // Drag makes it later than a uniform motion, which costs no logarithm.
             if (distance < 0.0 || distance >= best.time * speed) {
@@ -79,7 +79,7 @@ public:
     Contact best;
 
 private:
-    bool is_hit(const Side& wall, double t) const {
+    bool is_hit(const Barrier& wall, double t) const {
         if (wall.low == -infinity && wall.high == infinity) {
             return true;
         }
@@ -88,7 +88,7 @@ private:
         return meets(y, law_.gravity, wall, corner_slack);
     }
 
-    bool reaches(const Side& level, double t) const {
+    bool reaches(const Barrier& level, double t) const {
         if (level.low == -infinity && level.high == infinity) {
             return true;
         }
@@ -217,6 +217,11 @@ BodyState after_contact(
         case ContactKind::ceiling:
             arriving.position.y = contact.side;
             arriving.velocity.y *= -law.restitution;
+            // A room as high as the body has its floor here.
+            if (arriving.velocity.y == 0.0 && law.gravity > 0.0 &&
+                space.support(arriving.position)) {
+                arriving.mode = Mode::ground;
+            }
             return stopped_if_slow(arriving, law);
         case ContactKind::floor:
             return after_floor(arriving, contact, law);

@@ -154,7 +154,7 @@ std::optional<Vec2> nearest_free(Vec2 point, std::span<const Obstacle> obstacles
 
 FreeSpace::FreeSpace(std::vector<Obstacle> obstacles) : obstacles_(std::move(obstacles)) {
     for (const Obstacle& o : obstacles_) {
-        const auto add = [](std::vector<Side>& sides, const Side& side) {
+        const auto add = [](std::vector<Barrier>& sides, const Barrier& side) {
             if (std::isfinite(side.at)) {
                 sides.push_back(side);
             }
@@ -204,7 +204,7 @@ std::optional<Support> FreeSpace::support(Vec2 point) const {
     std::optional<Support> found;
     for (bool grows = true; grows;) {
         grows = false;
-        for (const Side& floor : floors_) {
+        for (const Barrier& floor : floors_) {
             if (floor.at != point.y) {
                 continue;
             }
@@ -226,12 +226,12 @@ std::optional<Support> FreeSpace::support(Vec2 point) const {
 
 Support FreeSpace::corridor(Vec2 point) const {
     Support walls{-infinity, infinity};
-    for (const Side& wall : left_walls_) {
+    for (const Barrier& wall : left_walls_) {
         if (point.y > wall.low && point.y < wall.high && wall.at <= point.x) {
             walls.left = std::max(walls.left, wall.at);
         }
     }
-    for (const Side& wall : right_walls_) {
+    for (const Barrier& wall : right_walls_) {
         if (point.y > wall.low && point.y < wall.high && wall.at >= point.x) {
             walls.right = std::min(walls.right, wall.at);
         }

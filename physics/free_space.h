@@ -27,13 +27,13 @@ struct Obstacle {
     bool operator==(const Obstacle&) const = default;
 };
 
-/// A side of an obstacle: where it lies on the axis that it blocks, and how far it reaches on the
+/// One side of an obstacle: where it lies on the axis that it blocks, and how far it reaches on the
 /// other one [px], both ends excluded.
-struct Side {
+struct Barrier {
     double at = 0.0;
     double low = 0.0;
     double high = 0.0;
-    bool operator==(const Side&) const = default;
+    bool operator==(const Barrier&) const = default;
 };
 
 /// A stretch of floor [px], both ends excluded.
@@ -56,10 +56,10 @@ public:
 
     std::span<const Obstacle> obstacles() const { return obstacles_; }
     /// Met by moving to the right, to the left, downwards and upwards.
-    std::span<const Side> right_walls() const { return right_walls_; }
-    std::span<const Side> left_walls() const { return left_walls_; }
-    std::span<const Side> floors() const { return floors_; }
-    std::span<const Side> ceilings() const { return ceilings_; }
+    std::span<const Barrier> right_walls() const { return right_walls_; }
+    std::span<const Barrier> left_walls() const { return left_walls_; }
+    std::span<const Barrier> floors() const { return floors_; }
+    std::span<const Barrier> ceilings() const { return ceilings_; }
     /// Half of what the box sticks out of the largest room [px], zero for a box that fits:
     /// its top-left corner is the point minus this.
     Vec2 overhang() const { return overhang_; }
@@ -86,10 +86,10 @@ private:
     Vec2 moved_inside(Vec2 point) const;
 
     std::vector<Obstacle> obstacles_;
-    std::vector<Side> right_walls_;
-    std::vector<Side> left_walls_;
-    std::vector<Side> floors_;
-    std::vector<Side> ceilings_;
+    std::vector<Barrier> right_walls_;
+    std::vector<Barrier> left_walls_;
+    std::vector<Barrier> floors_;
+    std::vector<Barrier> ceilings_;
     Vec2 overhang_;
     bool is_box_ = false;
 };

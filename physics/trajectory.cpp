@@ -111,7 +111,8 @@ void Trajectory::give_up(Ticks now, const Law& law, const FreeSpace& space) {
         drag,
         t
     );
-    BodyState below{{x.position, start_.position.y}, {}, Mode::air};
+    // At rest where it already lies on a floor.
+    BodyState below = let_go({x.position, start_.position.y}, {}, law, space);
     const Contact floor = next_contact(below, law, space);
     if (floor.kind == ContactKind::floor) {
         below.position.y = floor.side;
