@@ -160,6 +160,29 @@ class OnThreeMonitors(unittest.TestCase):
         self.assertNotIn("hyrax.exe", " ".join(line for _, line in self.desk.processes()))
         self.assertIn("bye", daemon.log_text())
 
+    def test_the_tray_menu_resets_opens_the_config_and_tells_what_is_wrong(self):
+        daemon = self.daemon(start(300, 300, vx=200))
+        (rested,) = daemon.wait_for_rest()
+        self.assertGreater(rested["x"], 310)
+        usual = self.open_menu()
+        self.desk.key("r")
+        daemon.wait_for_pets(lambda pets: (pets[0]["x"], pets[0]["vx"]) == (300, 0), 10, "the pet to fall straight down")
+        (again,) = daemon.wait_for_rest()
+        self.assertEqual(again["x"], 300)
+
+        daemon.write_config('{"physics": {"gravity": "heavy"}}')
+        daemon.wait_for_log(r"config\.json:1:\d+: ")
+        longer = self.open_menu()
+        self.assertGreater(longer.height, usual.height)
+        self.assertGreater(longer.width, usual.width)
+        self.desk.key("l")
+        self.open_menu()
+        self.desk.key("c")
+        (editor,) = desktop.wait_for(lambda: self.desk.windows("config.json"), 30, "the editor with config.json")
+        self.assertGreater(editor.width, 100)
+        self.assertEqual(daemon.second_start("--quit"), 0)
+        self.assertEqual(daemon.program.wait(10), 0)
+
     def test_pets_fly_on_while_the_menu_is_open(self):
         daemon = self.daemon({"physics": {"gravity": 0, "air_drag": 1}, **start(100, 300, vx=60)})
         daemon.wait_for_pets(lambda pets: pets and pets[0]["x"] > 110, 20, "the pet to drift")
