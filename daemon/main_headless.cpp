@@ -60,7 +60,7 @@ void report(const hyrax::Daemon& daemon, hyrax::HeadlessDesktop& desktop, double
     );
     fmt::print(
         "{}: {:.1f} contacts a second, energy {:.4g} px^2/s^2, {:.0f} ns for each frame\n",
-        hyrax::name_of(daemon.engine().settings().integrator),
+        hyrax::name_of(daemon.engine().integrator()),
         seconds > 0.0 ? static_cast<double>(engine.contacts) / seconds : 0.0,
         engine.energy,
         busy / static_cast<double>(std::max<std::size_t>(1, desktop.presents()))

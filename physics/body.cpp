@@ -120,7 +120,8 @@ BodyState Body::at(Ticks now, const MotionRules& rules, const Surroundings& arou
     } else {
         const Stepped& body = std::get<Stepped>(motion_);
         state = body.state;
-        if (rules.integrator == Integrator::semi_implicit_euler_fixed) {
+        const bool between_steps = state.mode != Mode::rest;
+        if (rules.integrator == Integrator::semi_implicit_euler_fixed && between_steps) {
             const double share = to_seconds(now - body.time) / rules.fixed_step;
             state.position =
                 body.before.position + (body.state.position - body.before.position) * share;

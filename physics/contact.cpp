@@ -41,7 +41,7 @@ public:
             }
             const double t = fall_time(side.at - state_.position.y, vy, law_.gravity, law_.drag);
             // A body without vertical velocity that lies on a floor already has left it sideways.
-            if (t < best.time && (t > 0.0 || vy > 0.0) && reaches(side, t)) {
+            if (t < best.time && (t > 0.0 || vy != 0.0) && reaches(side, t)) {
                 best = {t, ContactKind::floor, side.at};
             }
         }

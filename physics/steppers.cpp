@@ -174,6 +174,11 @@ BodyState step_stormer_verlet(
         const Vec2 before = state.velocity;
         BodyState flight = state;
         flight.velocity = state.velocity * std::exp(-law.drag * dt / 2.0);
+        // Half of the drag of a long step may leave nothing of it, and a body without vertical
+        // velocity that lies on a floor would count as having left it sideways.
+        if (flight.velocity.y == 0.0 && before.y != 0.0) {
+            flight.velocity.y = std::copysign(1e-300, before.y);
+        }
         const Contact contact = next_contact(flight, undamped, space);
         const double t = std::min(contact.time, dt);
         state = free_motion(flight, undamped, t);

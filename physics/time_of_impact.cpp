@@ -14,6 +14,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Drag that changes a parabola's times by less than a rounding is none.
 constexpr double negligible_decay = 1e-17;
+// e^-40 is below a rounding: what is left then is uniform motion.
+constexpr double settled_decay = 40.0;
 // Newton squares the relative error of a step, Halley cubes it: what follows a step of this size is
 // below a rounding.
 constexpr double newton_step = 3e-9;
@@ -125,10 +127,12 @@ double drop_time(double depth, double velocity, double gravity, double drag) {
         return parabola;
     }
     const double terminal = gravity / drag;
-    Bracket bracket{0.0, depth / terminal};
-    if (velocity < terminal) {
-        bracket.high = (depth + (terminal - velocity) / drag) / terminal;
+    // The asymptote of the motion. Under stiff drag Newton's terms cancel on it.
+    const double uniform = (depth + (terminal - velocity) / drag) / terminal;
+    if (drag * uniform > settled_decay) {
+        return uniform;
     }
+    const Bracket bracket{0.0, velocity < terminal ? uniform : depth / terminal};
     return halley(parabola, bracket, velocity, gravity, drag, depth);
 }
 

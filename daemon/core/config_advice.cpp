@@ -75,6 +75,12 @@ void on_the_law(const PhysicsConstants& set, const Law& law, std::vector<std::st
 void on_the_integrator(
     const EngineSettings& settings, const Law& law, double fps, std::vector<std::string>& lines
 ) {
+    if (settings.forces != ForceField{} && settings.integrator != Integrator::rk45) {
+        lines.push_back(
+            "/physics/quadratic_drag: a drag that has no closed form is integrated by rk45 instead "
+            "of the integrator that is set"
+        );
+    }
     const double stiffness = law.drag;
     // An explicit Runge-Kutta pair is stable up to 3.3 / drag; ten steps a frame are no bargain.
     if (settings.integrator == Integrator::rk45 && stiffness > 33.0 * fps) {

@@ -65,6 +65,13 @@ constexpr std::array config_keys{
         "A pet that would bounce up slower than this stays on the ground."
     },
     Field<Config>{
+        "/physics/quadratic_drag",
+        [](Config& c) -> Slot { return &c.engine.forces.quadratic_drag; },
+        {0, 1},
+        "1/px",
+        "Air drag that grows with the square of the speed. Any but 0 makes rk45 the integrator."
+    },
+    Field<Config>{
         "/physics/reference_rate",
         [](Config& c) -> Slot { return &c.engine.reference_rate; },
         {1, 1000},

@@ -225,17 +225,17 @@ void Daemon::read_config() {
     config_ = loaded->config;
     config_.fps = fps_.value_or(config_.fps);
     spdlog::set_level(spdlog::level::from_str(config_.log_level));
+    log_failure(engine_.configure(config_.engine));
     for (const std::string& line : advice_on(config_.engine, config_.fps)) {
         spdlog::warn("{}: {}", utf8_from_path(profile_.config.filename()), line);
     }
     spdlog::info(
         "settings: {}, gravity {} px/s^2, restitution {}, {} frames/s",
-        name_of(config_.engine.integrator),
+        name_of(engine_.integrator()),
         config_.engine.physics.gravity,
         config_.engine.physics.restitution,
         config_.fps
     );
-    log_failure(engine_.configure(config_.engine));
     pacer_.set_rate(config_.fps);
     if (floor_moved) {
         use_monitors();

@@ -34,15 +34,17 @@ bool is_possible(const EngineSettings& settings) {
            is_share(law.air_drag) && is_share(law.ground_friction) &&
            is_amount(settings.reference_rate) && settings.reference_rate > 0.0 &&
            is_amount(settings.fixed_rate) && settings.fixed_rate > 0.0 &&
-           is_amount(settings.max_speed);
+           is_amount(settings.max_speed) && is_amount(settings.forces.quadratic_drag) &&
+           std::isfinite(settings.forces.wind.x) && std::isfinite(settings.forces.wind.y);
 }
 
 MotionRules rules_of(const EngineSettings& settings) {
     return {
-        .integrator = settings.integrator,
+        .integrator = settings.forces == ForceField{} ? settings.integrator : Integrator::rk45,
         .constants = settings.physics,
         .law = law_from(settings.physics, settings.reference_rate),
         .fixed_step = 1.0 / settings.fixed_rate,
+        .forces = settings.forces,
     };
 }
 

@@ -30,6 +30,7 @@ struct EngineSettings {
     Integrator integrator = Integrator::event_driven;
     double reference_rate = default_reference_rate;  ///< Frames a second of the multipliers.
     double fixed_rate = 240.0;    ///< Steps a second of semi_implicit_euler_fixed.
+    ForceField forces{};          ///< Any but none makes rk45 the integrator.
     SpringConstants hand{};       ///< Holds a grabbed pet on the pointer.
     std::size_t max_pets = 100;   ///< Population cap on every path that spawns.
     double max_speed = 20'000.0;  ///< Velocities set from outside are shortened to this [px/s].
@@ -104,6 +105,8 @@ public:
     /// constants that no law can have.
     [[nodiscard]] Result<void> configure(const EngineSettings& settings);
     const EngineSettings& settings() const { return settings_; }
+    /// The one that moves the pets: the settings', or rk45 where forces ask for it.
+    Integrator integrator() const { return rules_.integrator; }
 
     const std::vector<Kind>& kinds() const { return kinds_; }
     /// Replaces the kinds, at least one; pets whose kind is gone become the first one.

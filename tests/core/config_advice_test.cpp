@@ -38,6 +38,16 @@ TEST_CASE("advice: what never rests says so") {
               .starts_with("/physics/restitution: with 1 a pet still bounces"));
 }
 
+TEST_CASE("advice: a force without closed form says who integrates it") {
+    CHECK(only_line({.forces = {.wind = {}, .quadratic_drag = 0.001}}
+    ).starts_with("/physics/quadratic_drag: "));
+    CHECK(advice_on(
+              {.integrator = Integrator::rk45, .forces = {.wind = {}, .quadratic_drag = 0.001}},
+              60.0
+    )
+              .empty());
+}
+
 TEST_CASE("advice: thick air is explained by the fastest fall") {
     CHECK(
         only_line({.physics = {.air_drag = 0.01}}) ==

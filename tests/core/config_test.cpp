@@ -176,7 +176,7 @@ TEST_CASE("config: every number is accepted at its bounds and refused beyond the
             check_refused(field, "1.5", "1.5");
         }
     }
-    CHECK(numbers == 19);
+    CHECK(numbers == 20);
 }
 
 TEST_CASE("config: names, choices and lists") {

@@ -96,6 +96,19 @@ TEST_CASE("all integrators but the document's agree about where a pet comes to r
     CHECK(std::fabs(places[1] - places[0]) > 1.0);
 }
 
+TEST_CASE("a force that has no closed form makes rk45 the integrator, and is felt") {
+    EngineSettings settings{.physics = {.air_drag = 1.0}};
+    CHECK(World(settings).engine.integrator() == Integrator::event_driven);
+    settings.forces.quadratic_drag = 0.001;
+    World world(settings);
+    CHECK(world.engine.integrator() == Integrator::rk45);
+    world.engine.set_arena(Arena({monitor({0, 0, 1920, 30000})}, FloorEdge::screen));
+    const PetId id = world.spawn({300.0, 0.0});
+    world.run(8.0);
+    // sqrt(gravity / quadratic_drag)
+    CHECK(world.pet(id).velocity().y == doctest::Approx(1095.445).epsilon(1e-4));
+}
+
 TEST_CASE("by default a frame rate changes nothing") {
     const auto place_at = [](double fps) {
         World world;
