@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "tests/bench/meter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace hyrax::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Long beside the clock's resolution, short beside a time slice of the system.
+constexpr double seconds_per_sample = 2e-4;
+constexpr int fewest_samples = 5;
+
+double seconds_of(const Work& work, int runs) {
+    const auto begin = Clock::now();
+    for (int run = 0; run < runs; ++run) {
+        work();
+    }
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+}  // namespace
+
+Cost Meter::measure(const Work& work) {
+    Cost cost;
+    if (counter_) {
+        cost.instructions = counter_(work);
+    }
+    if (!timed_) {
+        return cost;
+    }
+    int runs = 1;
+    while (seconds_of(work, runs) < seconds_per_sample) {
+        runs *= 2;
+    }
+    double fastest = std::numeric_limits<double>::infinity();
+    double spent = 0.0;
+    for (int sample = 0; sample < fewest_samples || spent < seconds_per_cell_; ++sample) {
+        const double seconds = seconds_of(work, runs);
+        fastest = std::min(fastest, seconds / runs);
+        spent += seconds;
+    }
+    cost.nanoseconds = fastest * 1e9;
+    return cost;
+}
+
+void Progress::step() {
+    ++done_;
+    const auto now = Clock::now();
+    if (now - said_ > std::chrono::seconds(2)) {
+        said_ = now;
+        fmt::print(stderr, "{}: {} of {}\n", what_, done_, total_);
+    }
+}
+
+void keep(double number) {
+    static volatile double kept = 0.0;
+    kept = kept + number;
+}
+
+std::string short_number(double number) {
+    return std::isnan(number) ? fmt::format("{:>10}", "-") : fmt::format("{:>10.3g}", number);
+}
+
+}  // namespace hyrax::bench
