@@ -4,6 +4,7 @@
 #include "tests/core/engine_seen.h"
 
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <random>
 
@@ -41,7 +42,9 @@ private:
         return {.integrator = integrator_, .max_pets = 8, .max_speed = 1e7};
     }
 
-    unsigned below(unsigned limit) { return static_cast<unsigned>(random_()) % limit; }
+    unsigned below(unsigned limit) {
+        return static_cast<unsigned>(std::uint64_t{random_()} % limit);
+    }
 
     double number() {
         constexpr std::array hostile{
