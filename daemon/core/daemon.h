@@ -47,6 +47,7 @@ public:
     const Frame& frame() const { return frame_; }
 
 private:
+    // daemon_input.cpp
     void handle(const Input& input);
     void on(const input::Pressed& pressed);
     void on(const input::Moved& moved);
@@ -65,13 +66,15 @@ private:
     void carry_out(const request::Reload& reload);
     void carry_out(const request::Quit& quit);
 
-    void draw(Ticks now);
     void let_go(Ticks time, double max_speed);
 
+    // daemon_profile.cpp
     void read_config();
     void read_kinds();
     void read_scripts();
     void use_monitors();
+
+    void draw(Ticks now);
     void welcome();
     void report();
 

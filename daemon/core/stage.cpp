@@ -50,6 +50,14 @@ Point cell_corner(const SpriteSet& set, const Pet& pet) {
 
 }  // namespace
 
+std::vector<Kind> kinds_of(const std::vector<SpriteSet>& sets) {
+    std::vector<Kind> kinds;
+    for (const SpriteSet& set : sets) {
+        kinds.push_back({set.name, {set.box.width, set.box.height}});
+    }
+    return kinds;
+}
+
 Shown pose(const SpriteSet& set, Motion motion, Ticks elapsed, Ticks drowsy_after) {
     switch (motion) {
         case Motion::airborne:

@@ -11,6 +11,9 @@
 
 namespace hyrax {
 
+/// The sets as far as motion depends on them, in their order.
+std::vector<Kind> kinds_of(const std::vector<SpriteSet>& sets);
+
 /// The cell for a motion that began `elapsed` ago: a settled pet lands, sits for `drowsy_after`,
 /// lies down, and after a few breaths changes no more.
 Shown pose(const SpriteSet& set, Motion motion, Ticks elapsed, Ticks drowsy_after);

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// What the daemon reads: config, sprite sets, scripts, monitors. What is broken changes nothing.
+#include "daemon/core/config_advice.h"
+#include "daemon/core/daemon.h"
+#include "daemon/core/files.h"
+#include "daemon/core/log_failure.h"
+
+#include <spdlog/spdlog.h>
+
+#include <utility>
+
+namespace hyrax {
+
+void Daemon::read_config() {
+    const Result<LoadedConfig> loaded = load_config(profile_.config);
+    if (!loaded) {
+        // The same broken text is told once, however often the file is touched.
+        if (loaded.error().message != config_problem_) {
+            spdlog::error("{}", loaded.error().message);
+            spdlog::error("the settings stay as they were");
+        }
+        config_problem_ = loaded.error().message;
+        return;
+    }
+    config_problem_.clear();
+    if (last_read_ == loaded->config) {
+        return;
+    }
+    last_read_ = loaded->config;
+    for (const std::string& warning : loaded->warnings) {
+        spdlog::warn("{}", warning);
+    }
+    const bool floor_moved = loaded->config.floor != config_.floor;
+    config_ = loaded->config;
+    config_.fps = fps_.value_or(config_.fps);
+    spdlog::set_level(spdlog::level::from_str(config_.log_level));
+    log_failure(engine_.configure(config_.engine));
+    for (const std::string& line : advice_on(config_.engine, config_.fps)) {
+        spdlog::warn("{}: {}", utf8_from_path(profile_.config.filename()), line);
+    }
+    spdlog::info(
+        "settings: {}, gravity {} px/s^2, restitution {}, {} frames/s",
+        name_of(engine_.integrator()),
+        config_.engine.physics.gravity,
+        config_.engine.physics.restitution,
+        config_.fps
+    );
+    pacer_.set_rate(config_.fps);
+    if (floor_moved) {
+        use_monitors();
+    }
+}
+
+void Daemon::read_kinds() {
+    LoadedKinds loaded = load_kinds(profile_, decode_);
+    for (const std::string& problem : loaded.problems) {
+        spdlog::error("{}", problem);
+    }
+    kind_problems_ = std::move(loaded.problems);
+    // Frames point into the old sets: nobody may still show one.
+    frame_ = {};
+    desktop_.present(frame_);
+    sets_ = std::move(loaded.sets);
+    engine_.set_kinds(kinds_of(sets_));
+}
+
+void Daemon::read_scripts() {
+    LoadedScripts loaded = load_scripts(profile_, config_.scripts);
+    if (loaded.problems != script_problems_) {
+        for (const std::string& problem : loaded.problems) {
+            spdlog::error("{}", problem);
+        }
+        script_problems_ = std::move(loaded.problems);
+    }
+    if (loaded.sources != sources_) {
+        sources_ = std::move(loaded.sources);
+        scripts_.load(sources_);
+    }
+}
+
+void Daemon::use_monitors() {
+    std::vector<Monitor> monitors = desktop_.monitors();
+    if (monitors.empty()) {
+        // Screens go away for moments (lock, driver reset): keep the last ones.
+        spdlog::warn("no monitor is known; keeping the arena as it was");
+        return;
+    }
+    monitors_ = std::move(monitors);
+    engine_.set_arena(Arena(monitors_, config_.floor));
+}
+
+}  // namespace hyrax
