@@ -128,7 +128,7 @@ std::vector<std::unique_ptr<Peer>> contenders(std::size_t count) {
     made.push_back(std::make_unique<EventDriven>(scene));
     made.push_back(std::make_unique<DocumentBatchPeer>(scene));
     made.push_back(std::make_unique<DocumentClass>(scene));
-    for (const auto make_engine : {make_box2d, make_chipmunk}) {
+    for (const auto make_engine : {make_box2d, make_chipmunk, make_rapier}) {
         if (std::unique_ptr<Peer> engine = make_engine(scene)) {
             made.push_back(std::move(engine));
         }

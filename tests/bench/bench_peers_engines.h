@@ -10,5 +10,6 @@ namespace hyrax::bench {
 /// its own step at 60 Hz, positions read after each.
 std::unique_ptr<Peer> make_box2d(const PeerScene& scene);
 std::unique_ptr<Peer> make_chipmunk(const PeerScene& scene);
+std::unique_ptr<Peer> make_rapier(const PeerScene& scene);
 
 }  // namespace hyrax::bench
