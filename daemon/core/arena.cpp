@@ -3,6 +3,8 @@
 
 #include "daemon/core/check.h"
 
+#include <algorithm>
+#include <functional>
 #include <limits>
 
 namespace hyrax {
@@ -32,6 +34,7 @@ Arena::Arena(const std::vector<Monitor>& monitors, FloorEdge floor) {
         }
         if (!box.empty()) {
             boxes_.push_back(box);
+            scales_.push_back(monitor.scale);
         }
     }
 }
@@ -44,18 +47,31 @@ Rect Arena::bounds() const {
     return all;
 }
 
-const Rect& Arena::box_near(Vec2 point) const {
+std::size_t Arena::index_near(Vec2 point) const {
     HYRAX_CHECK(!boxes_.empty());
-    const Rect* nearest = nullptr;
+    std::size_t nearest = 0;
     double least = std::numeric_limits<double>::infinity();
-    for (const Rect& box : boxes_) {
-        const double distance = distance_squared(point, box);
-        if (nearest == nullptr || distance < least) {
-            nearest = &box;
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+        const double distance = distance_squared(point, boxes_[i]);
+        if (distance < least) {
+            nearest = i;
             least = distance;
         }
     }
-    return *nearest;
+    return nearest;
+}
+
+bool Arena::has_mixed_scales() const {
+    return std::ranges::adjacent_find(scales_, std::ranges::not_equal_to()) != scales_.end();
+}
+
+std::size_t Arena::screen_of(Vec2 feet, std::size_t former) const {
+    constexpr double hysteresis = 16.0;  // [px]
+    if (former < boxes_.size() &&
+        distance_squared(feet, boxes_[former]) < hysteresis * hysteresis) {
+        return former;
+    }
+    return index_near(feet);
 }
 
 }  // namespace hyrax

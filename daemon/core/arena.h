@@ -5,6 +5,7 @@
 #include "physics/free_space.h"
 #include "physics/geometry.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ struct Monitor {
     Rect bounds;
     Rect work;  ///< Without the taskbar.
     bool primary = false;
-    std::string name;  ///< For people; identity across changes is not promised.
+    std::string name;    ///< For people; identity across changes is not promised.
+    double scale = 1.0;  ///< How much larger the system shows things there: DPI / 96.
     bool operator==(const Monitor&) const = default;
 };
 
@@ -36,12 +38,22 @@ public:
     /// Bounding box of all boxes; may hold places that no monitor shows.
     Rect bounds() const;
     /// The box that holds the point, else the nearest one. The arena must not be empty.
-    const Rect& box_near(Vec2 point) const;
+    const Rect& box_near(Vec2 point) const { return boxes_[index_near(point)]; }
+    /// Its index. The arena must not be empty.
+    std::size_t index_near(Vec2 point) const;
+
+    /// The scale of the monitor of a box.
+    double scale(std::size_t index) const { return scales_[index]; }
+    bool has_mixed_scales() const;
+    /// The box whose scale counts for feet at this place: `former`, until they are 16 px away from
+    /// it, so that feet on a seam do not flicker. The arena must not be empty.
+    std::size_t screen_of(Vec2 feet, std::size_t former) const;
 
     bool operator==(const Arena&) const = default;
 
 private:
     std::vector<Rect> boxes_;
+    std::vector<double> scales_;  // By box.
 };
 
 }  // namespace hyrax

@@ -35,7 +35,8 @@ bool is_possible(const EngineSettings& settings) {
            is_amount(settings.reference_rate) && settings.reference_rate > 0.0 &&
            is_amount(settings.fixed_rate) && settings.fixed_rate > 0.0 &&
            is_amount(settings.max_speed) && is_amount(settings.forces.quadratic_drag) &&
-           std::isfinite(settings.forces.wind.x) && std::isfinite(settings.forces.wind.y);
+           std::isfinite(settings.forces.wind.x) && std::isfinite(settings.forces.wind.y) &&
+           settings.scale >= least_scale && settings.scale <= most_scale;
 }
 
 MotionRules rules_of(const EngineSettings& settings) {
@@ -54,7 +55,6 @@ Engine::Engine(std::vector<Kind> kinds, const EngineSettings& settings, std::uin
     : kinds_(std::move(kinds)), settings_(settings), rules_(rules_of(settings)), random_(seed) {
     HYRAX_CHECK(!kinds_.empty());
     HYRAX_CHECK(is_possible(settings));
-    measure_spaces();
 }
 
 Result<PetId> Engine::spawn(const SpawnOptions& options) {
@@ -76,12 +76,18 @@ Result<PetId> Engine::spawn(const SpawnOptions& options) {
             return std::unexpected(checked.error());
         }
     }
+    if (const auto checked = require_scale(options.scale, "spawn"); !checked) {
+        return std::unexpected(checked.error());
+    }
 
     Pet pet;
     pet.kind = *kind;
     pet.owner = options.owner;
     pet.tag = options.tag;
-    place(pet, options.at ? *options.at : random_entrance());
+    pet.scale = options.scale;
+    const Vec2 at = options.at ? *options.at : random_entrance();
+    size_up(pet, at);
+    place(pet, at);
     pet.spawn_position = pet.position();
     pet.faces_left = options.velocity.x < 0.0;
     const PetId id = pets_.insert(std::move(pet));
@@ -108,6 +114,7 @@ Result<void> Engine::remove(PetId id) {
         emit({.kind = EventKind::remove, .pet = id, .tag = pet.tag});
         std::erase(awake_, id);
         std::erase_if(held_, [id](const Held& held) { return held.pet == id; });
+        spaces_.release(pet.space);
         pets_.erase(id);
     });
 }
@@ -137,7 +144,7 @@ Result<void> Engine::reset(PetId id) {
 Result<void> Engine::move_to(PetId id, Vec2 position) {
     return change(id, "move_to", position, [&](Pet& pet) {
         if (pet.motion != Motion::held) {
-            place(pet, position);
+            put(id, pet, position);
             launch(id, pet, pet.velocity());
         }
     });
@@ -178,7 +185,7 @@ Result<void> Engine::let_go(PetId id, Ticks time, double max_speed) {
         Held* const hand = held(id);
         HYRAX_CHECK(hand != nullptr);
         const Vec2 velocity = hand->spring.release_velocity(time, max_speed);
-        const Vec2 position = hand->spring.at(time).position;
+        const Vec2 position = hand->spring.at(time).position + hand->grown;
         std::erase_if(held_, [id](const Held& one) { return one.pet == id; });
         pet.motion = Motion::airborne;
         place(pet, position);
@@ -218,13 +225,17 @@ void Engine::set_arena(Arena arena) {
     const std::vector<Rect> former = arena_.boxes();
     arena_ = std::move(arena);
     emit({.kind = EventKind::monitors});
-    measure_spaces();
+    spaces_.set_arena(arena_);
+    mind_screens();
     if (arena_.empty()) {
         return;
     }
+    const bool other_boxes = former != arena_.boxes();
     pets_.for_each([&](PetId id, Pet& pet) {
+        pet.screen = arena_.index_near(feet(pet));
+        const bool resized = fit(id, pet);
         if (pet.motion != Motion::held) {
-            move_into_arena(id, pet, former);
+            move_into_arena(id, pet, other_boxes || resized);
         }
     });
 }
@@ -236,8 +247,10 @@ Result<void> Engine::configure(const EngineSettings& settings) {
     }
     settings_ = settings;
     rules_ = rules_of(settings);
+    mind_screens();
     // A law that changed may move whoever rests; who still rests goes back to sleep.
     pets_.for_each([this](PetId id, Pet& pet) {
+        refit(id, pet);
         if (pet.motion != Motion::held) {
             set_in_motion(id, pet, pet.velocity());
         }
@@ -248,9 +261,9 @@ Result<void> Engine::configure(const EngineSettings& settings) {
 void Engine::set_kinds(std::vector<Kind> kinds) {
     HYRAX_CHECK(!kinds.empty());
     const std::vector<Kind> former = std::exchange(kinds_, std::move(kinds));
-    measure_spaces();
     pets_.for_each([this, &former](PetId id, Pet& pet) {
         pet.kind = kind_named(former[pet.kind].name).value_or(0);
+        fit(id, pet);
         if (!arena_.empty() && pet.motion != Motion::held) {
             place(pet, pet.position());
             set_in_motion(id, pet, pet.velocity());
@@ -270,13 +283,6 @@ std::optional<std::size_t> Engine::kind_named(std::string_view name) const {
     return static_cast<std::size_t>(found - kinds_.begin());
 }
 
-void Engine::measure_spaces() {
-    spaces_.clear();
-    for (const Kind& kind : kinds_) {
-        spaces_.push_back(arena_.space_for(kind.box));
-    }
-}
-
 Engine::Held* Engine::held(PetId id) {
     const auto found = std::ranges::find(held_, id, &Held::pet);
     return found == held_.end() ? nullptr : &*found;
@@ -284,7 +290,7 @@ Engine::Held* Engine::held(PetId id) {
 
 void Engine::place(Pet& pet, Vec2 position) {
     const Size size = box_of(pet);
-    const FreeSpace& space = spaces_[pet.kind];
+    const FreeSpace& space = spaces_[pet.space];
     pet.shown.position = space.nearest(position + space.overhang()) - space.overhang();
     const Vec2 at = pet.shown.position;
     pet.home = arena_.box_near({at.x + size.width / 2.0, at.y + size.height / 2.0});
@@ -316,19 +322,19 @@ void Engine::put_back(PetId id, Pet& pet) {
     if (pet.motion == Motion::held) {
         return;
     }
-    place(pet, pet.spawn_position);
+    put(id, pet, pet.spawn_position);
     launch(id, pet, {});
 }
 
 // Who may stay stays, velocity and all. Who is inside a new wall is put before it and no longer
 // moves against it; who has lost its screen arrives on the next one at rest.
-void Engine::move_into_arena(PetId id, Pet& pet, const std::vector<Rect>& former) {
+void Engine::move_into_arena(PetId id, Pet& pet, bool disturbed) {
     const Vec2 before = pet.position();
     const Size size = box_of(pet);
     const Rect box{static_cast<int>(before.x), static_cast<int>(before.y), size.width, size.height};
     place(pet, before);
     const Vec2 moved = pet.position() - before;
-    if (moved == Vec2{} && former == arena_.boxes()) {
+    if (moved == Vec2{} && !disturbed) {
         return;
     }
     const bool on_a_screen = std::ranges::any_of(arena_.boxes(), [&box](const Rect& room) {

@@ -7,6 +7,7 @@
 #include "daemon/core/pet.h"
 #include "daemon/core/result.h"
 #include "daemon/core/slot_map.h"
+#include "daemon/core/spaces.h"
 #include "physics/body.h"
 #include "physics/spring.h"
 
@@ -22,8 +23,17 @@ namespace hyrax {
 /// A sort of pet, as far as its motion depends on it.
 struct Kind {
     std::string name;
-    Size box;  ///< What meets walls and floor [px], positive.
+    Size box;                  ///< What meets walls and floor at scale 1 [px], positive.
+    double scale = 1.0;        ///< least_scale to most_scale.
+    bool whole_scale = false;  ///< Pixel art: all scales together are rounded to 1, 2, 3 ...
 };
+
+/// Of a pet, of a kind, of the settings.
+inline constexpr double least_scale = 0.25;
+inline constexpr double most_scale = 4.0;
+/// All scales together are held within these.
+inline constexpr double least_drawn_scale = 0.125;
+inline constexpr double most_drawn_scale = 8.0;
 
 struct EngineSettings {
     PhysicsConstants physics{};
@@ -34,6 +44,8 @@ struct EngineSettings {
     SpringConstants hand{};       ///< Holds a grabbed pet on the pointer.
     std::size_t max_pets = 100;   ///< Population cap on every path that spawns.
     double max_speed = 20'000.0;  ///< Velocities set from outside are shortened to this [px/s].
+    double scale = 1.0;           ///< Of all pets, least_scale to most_scale.
+    bool scale_with_dpi = true;   ///< Pets grow with the scale of the monitor under their feet.
     bool operator==(const EngineSettings&) const = default;
 };
 
@@ -53,7 +65,14 @@ struct SpawnOptions {
     Vec2 velocity{};           ///< [px/s]
     std::string owner = "user";
     std::string tag{};
+    double scale = 1.0;  ///< least_scale to most_scale
 };
+
+/// Fails on a scale that is not from least_scale to most_scale; the message names the verb.
+[[nodiscard]] Result<void> require_scale(double scale, std::string_view verb);
+
+/// To whole pixels, at least one a side.
+Size scaled(Size size, double scale);
 
 /// Owned by one thread. Every verb that fails changes nothing; it fails on a stale id, on numbers
 /// that are not finite, on an unknown kind, on a full population and while no monitor is known.
@@ -76,6 +95,9 @@ public:
     /// Puts the top-left corner there, or as near as the arena allows; keeps the velocity.
     [[nodiscard]] Result<void> move_to(PetId id, Vec2 position);
     [[nodiscard]] Result<void> set_tag(PetId id, std::string tag);
+    /// least_scale to most_scale. The feet, which are the middle of the box's bottom edge, stay
+    /// where they are, or as near as the arena allows; a held pet's in any case.
+    [[nodiscard]] Result<void> set_scale(PetId id, double scale);
 
     /// Picks a pet up: a spring pulls it to where carry() says, until let_go(). Times are the
     /// hand's own: they go on while the pets' time is paused.
@@ -112,6 +134,11 @@ public:
     /// Replaces the kinds, at least one; pets whose kind is gone become the first one.
     void set_kinds(std::vector<Kind> kinds);
     const Pet* find(PetId id) const { return pets_.find(id); }
+    /// The pet's box at its scale [px].
+    Size box_of(const Pet& pet) const { return spaces_.box(pet.space); }
+    /// The box of a pet of this kind whose own scale is 1, on a screen whose scale is 1 [px].
+    Size usual_box(const Kind& kind) const;
+    std::size_t sizes_in_use() const { return spaces_.size(); }
     std::size_t size() const { return pets_.size(); }
     std::size_t awake_count() const { return awake_.size(); }
     /// Calls visit(id, pet) in drawing order, the topmost last.
@@ -131,22 +158,31 @@ private:
     struct Held {
         PetId pet;
         Spring spring;
+        Vec2 grown{};  ///< By how much the corner has moved off as the pet changed its size [px].
     };
 
     template <typename Act>
     [[nodiscard]] Result<void> change(PetId id, std::string_view verb, Vec2 numbers, Act act);
     std::optional<std::size_t> kind_named(std::string_view name) const;
-    Size box_of(const Pet& pet) const { return kinds_[pet.kind].box; }
     Surroundings around(const Pet& pet) const {
-        return {spaces_[pet.kind], pet.home, kinds_[pet.kind].box};
+        return {spaces_[pet.space], pet.home, spaces_.box(pet.space)};
     }
-    void measure_spaces();
     Held* held(PetId id);
+    // engine_size.cpp
+    double drawn_scale(const Kind& kind, double more) const;
+    double drawn_scale(const Pet& pet) const;
+    Vec2 feet(const Pet& pet) const;
+    void size_up(Pet& pet, Vec2 position);
+    bool fit(PetId id, Pet& pet);
+    bool refit(PetId id, Pet& pet);
+    void put(PetId id, Pet& pet, Vec2 position);
+    void follow_screen(PetId id, Pet& pet, Ticks now);
+    void mind_screens();
     void place(Pet& pet, Vec2 position);
     void set_in_motion(PetId id, Pet& pet, Vec2 velocity);
     void launch(PetId id, Pet& pet, Vec2 velocity);
     void put_back(PetId id, Pet& pet);
-    void move_into_arena(PetId id, Pet& pet, const std::vector<Rect>& former);
+    void move_into_arena(PetId id, Pet& pet, bool disturbed);
     void advance(PetId id, Pet& pet, Ticks now);
     void meet(PetId id, Pet& pet, const TrajectoryEvent& event);
     Vec2 capped(Vec2 velocity) const;
@@ -158,7 +194,8 @@ private:
     EngineSettings settings_;
     MotionRules rules_;
     Arena arena_;
-    std::vector<FreeSpace> spaces_;  // By kind.
+    Spaces spaces_;
+    bool screens_differ_ = false;  // A pet may change its size as it moves.
     SlotMap<Pet> pets_;
     std::vector<PetId> awake_;
     std::vector<Held> held_;

@@ -70,6 +70,9 @@ void Engine::advance(PetId id, Pet& pet, Ticks now) {
         pet.since = now;
         pet.landed = pet.landed && motion == Motion::settled;
     }
+    if (screens_differ_) {
+        follow_screen(id, pet, now);
+    }
     pet.awake = pet.shown.mode != Mode::rest;
 }
 
@@ -104,8 +107,11 @@ bool Engine::advance_held(Ticks time) {
         Pet& pet = *pets_.find(hand.pet);
         const SpringBody body = hand.spring.at(time);
         const Vec2 off = body.position - hand.spring.target(time);
-        pet.shown.position = body.position;
+        pet.shown.position = body.position + hand.grown;
         pet.shown.velocity = body.velocity;
+        if (screens_differ_) {
+            follow_screen(hand.pet, pet, now_);
+        }
         swinging = swinging || std::hypot(body.velocity.x, body.velocity.y) > still_speed ||
                    std::hypot(off.x, off.y) > still_distance;
     }

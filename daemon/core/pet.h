@@ -22,11 +22,15 @@ enum class Motion {
 };
 
 struct Pet {
-    std::size_t kind = 0;  ///< Index into Engine::kinds().
-    Body body;             ///< Its motion; unused while a hand holds it.
-    Rect home;             ///< The room that the document's law keeps it in.
-    Vec2 spawn_position;   ///< Where reset() puts it, virtual desktop [px].
-    BodyState shown;       ///< As of the last frame, or as put since.
+    std::size_t kind = 0;      ///< Index into Engine::kinds().
+    Body body;                 ///< Its motion; unused while a hand holds it.
+    Rect home;                 ///< The room that the document's law keeps it in.
+    Vec2 spawn_position;       ///< Where reset() puts it, virtual desktop [px].
+    BodyState shown;           ///< As of the last frame, or as put since.
+    double scale = 1.0;        ///< Its own, 0.25 to 4.
+    double drawn_scale = 1.0;  ///< With the scales of its kind, of the settings and of its screen.
+    std::size_t space = 0;     ///< Index into the engine's Spaces, by the size of its box.
+    std::size_t screen = 0;    ///< Index of the arena's box whose scale counts.
     Motion motion = Motion::airborne;
     Ticks since = 0;  ///< When this motion began.
     bool awake = false;

@@ -88,6 +88,9 @@ ScriptWorld ScriptBridge::snapshot(
     const Engine& engine, const std::vector<Monitor>& monitors, Ticks now
 ) const {
     ScriptWorld world{.now = now, .pets = {}, .monitors = monitors, .kinds = engine.kinds()};
+    for (Kind& kind : world.kinds) {
+        kind.box = engine.usual_box(kind);
+    }
     world.pets.reserve(engine.size());
     engine.for_each([&](PetId id, const Pet& pet) {
         const Kind& kind = engine.kinds()[pet.kind];
@@ -98,7 +101,7 @@ ScriptWorld ScriptBridge::snapshot(
             .tag = pet.tag,
             .position = pet.position(),
             .velocity = pet.velocity(),
-            .box = kind.box,
+            .box = engine.box_of(pet),
             .state = state_name(pet.motion),
             .faces_left = pet.faces_left,
             .spawned_at = pet.spawn_position,
