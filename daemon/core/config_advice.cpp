@@ -85,9 +85,8 @@ void on_the_integrator(
     // An explicit Runge-Kutta pair is stable up to 3.3 / drag; ten steps a frame are no bargain.
     if (settings.integrator == Integrator::rk45 && stiffness > 33.0 * fps) {
         lines.push_back(fmt::format(
-            "/physics/integrator: air_drag {:g} is stiff for rk45, which needs {:.2g} steps a "
-            "second; "
-            "event_driven and exponential_swept need none",
+            "/physics/integrator: air_drag {:g} is stiff for rk45, which takes {:.2g} steps a "
+            "second for it; event_driven and exponential_swept take none",
             settings.physics.air_drag,
             stiffness / 3.3
         ));
@@ -107,8 +106,7 @@ void on_the_integrator(
     // What one step of gravity adds is lost at each impact.
     if ((document || fixed) && law.gravity / steps > 200.0) {
         lines.push_back(fmt::format(
-            "/physics/integrator: one step adds {:.3g} px/s of gravity, so that rebounds slower "
-            "than "
+            "/physics/integrator: gravity adds {:.3g} px/s in a step, and rebounds slower than "
             "that are lost; event_driven loses none",
             law.gravity / steps
         ));
