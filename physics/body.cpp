@@ -141,6 +141,11 @@ Mode Body::mode() const {
     return std::get<Stepped>(motion_).state.mode;
 }
 
+bool Body::is_folded() const {
+    const auto* const trajectory = std::get_if<Trajectory>(&motion_);
+    return trajectory != nullptr && trajectory->is_folded();
+}
+
 Ticks Body::next_event() const {
     if (const auto* const trajectory = std::get_if<Trajectory>(&motion_)) {
         return trajectory->next_event();

@@ -69,6 +69,8 @@ public:
     /// The state at `now`, from the last start() or advance() on.
     BodyState at(Ticks now, const MotionRules& rules, const Surroundings& around) const;
     Mode mode() const;
+    /// True while walls are not followed one by one: of event_driven alone.
+    bool is_folded() const;
     /// When something will have happened; for all but event_driven, at once while it moves.
     Ticks next_event() const;
 

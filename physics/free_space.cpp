@@ -11,6 +11,9 @@ namespace {
 // Scaled desktops leave rounding gaps of one pixel between monitors.
 constexpr int least_gap = 2;
 
+// More than roundings make of a way across any desktop, and far less than can be seen [px].
+constexpr double rounding = 1e-9;
+
 bool overlap(int low_a, int high_a, int low_b, int high_b) {
     return low_a < high_b && low_b < high_a;
 }
@@ -191,6 +194,32 @@ FreeSpace FreeSpace::among(std::vector<Rect> rooms, Size box) {
     }
     space.is_box_ = space.obstacles_.size() == 4;
     return space;
+}
+
+FreeSpace FreeSpace::with_ledges(std::span<const Ledge> ledges, Size box) const {
+    FreeSpace space = *this;
+    space.floors_.erase(space.floors_.end() - ledge_count_, space.floors_.end());
+    for (const Ledge& ledge : ledges) {
+        // A pinned box moves as if it were smaller.
+        space.floors_.push_back(
+            {ledge.y - (box.height - 2.0 * overhang_.y),
+             ledge.left - (box.width - 2.0 * overhang_.x),
+             static_cast<double>(ledge.right)}
+        );
+    }
+    space.ledge_count_ = std::ssize(ledges);
+    space.is_box_ = obstacles_.size() == 4 && ledges.empty();
+    return space;
+}
+
+Vec2 FreeSpace::lifted(double from_y, Vec2 to) const {
+    for (const Barrier& ledge : ledges()) {
+        if (from_y <= ledge.at && to.y > ledge.at && to.y <= ledge.at + rounding &&
+            to.x > ledge.low && to.x < ledge.high) {
+            to.y = ledge.at;
+        }
+    }
+    return to;
 }
 
 Vec2 FreeSpace::moved_inside(Vec2 point) const {

@@ -159,7 +159,11 @@ public:
         if (mode_ == Mode::ground) {
             const Vec2 place{step_.value(0, 0.0), step_.value(1, 0.0)};
             const Support walls = space.corridor(place);
-            const Support floor = space.support(place).value_or(Support{-infinity, infinity});
+            // A corner that was met exactly is no part of the floor, but what lies before it is.
+            const double ahead =
+                std::nextafter(place.x, step_.value(2, 0.0) > 0.0 ? infinity : -infinity);
+            const Support floor =
+                space.support({ahead, place.y}).value_or(Support{place.x, place.x});
             consider(0, walls.right, 1.0, ContactKind::right_wall, nullptr);
             consider(0, walls.left, -1.0, ContactKind::left_wall, nullptr);
             consider(0, floor.right, 1.0, ContactKind::edge, nullptr);
@@ -172,6 +176,10 @@ public:
             consider(0, obstacle.right, -1.0, ContactKind::left_wall, &obstacle);
             consider(1, obstacle.top, 1.0, ContactKind::floor, &obstacle);
             consider(1, obstacle.bottom, -1.0, ContactKind::ceiling, &obstacle);
+        }
+        for (const Barrier& ledge : space.ledges()) {
+            const Obstacle side{ledge.low, ledge.at, ledge.high, ledge.at};
+            consider(1, ledge.at, 1.0, ContactKind::floor, &side);
         }
         return best_;
     }

@@ -37,10 +37,13 @@ BodyState sweep(
 ) {
     for (int contacts = 0; contacts < most_contacts_in_step; ++contacts) {
         const Contact contact = next_contact(state, law, space);
+        const double from_y = state.position.y;
+        BodyState moved = free_motion(state, law, std::min(contact.time, dt));
+        moved.position = space.above_ledges(from_y, moved.position);
         if (contact.time > dt) {
-            return free_motion(state, law, dt);
+            return moved;
         }
-        state = meet(contact, free_motion(state, law, contact.time), law, space, impacts);
+        state = meet(contact, moved, law, space, impacts);
         dt -= contact.time;
     }
     return exhausted(state);
@@ -55,9 +58,16 @@ bool may_meet_something(
     const double bottom = std::max(from.position.y, to.position.y);
     const double rise = std::min(0.0, from.velocity.y * dt);
     const double top = std::min(from.position.y + rise, to.position.y);
-    return std::ranges::any_of(space.obstacles(), [&](const Obstacle& o) {
-        return right >= o.left && left <= o.right && bottom >= o.top && top <= o.bottom;
-    });
+    return std::ranges::any_of(
+               space.obstacles(),
+               [&](const Obstacle& o) {
+                   return right >= o.left && left <= o.right && bottom >= o.top && top <= o.bottom;
+               }
+           ) ||
+           std::ranges::any_of(space.ledges(), [&](const Barrier& ledge) {
+               return right >= ledge.low && left <= ledge.high && bottom >= ledge.at &&
+                      top <= ledge.at;
+           });
 }
 
 // The axes one after the other, as the document has it: x along the old height, then y.
@@ -76,12 +86,21 @@ Blocked blocked_x(Vec2 from, double to, const FreeSpace& space) {
 }
 
 Blocked blocked_y(Vec2 from, double to, const FreeSpace& space) {
-    for (const Obstacle& o : space.obstacles()) {
-        if (o.contains({from.x, to})) {
-            return {true, to > from.y ? o.top : o.bottom};
+    Blocked found;
+    for (const Barrier& ledge : space.ledges()) {
+        const bool crosses = from.y <= ledge.at && to > ledge.at;
+        if (crosses && from.x > ledge.low && from.x < ledge.high &&
+            !(found.hit && found.side <= ledge.at)) {
+            found = {true, ledge.at};
         }
     }
-    return {};
+    for (const Obstacle& o : space.obstacles()) {
+        if (o.contains({from.x, to})) {
+            const double side = to > from.y ? o.top : o.bottom;
+            return found.hit && found.side < side ? found : Blocked{true, side};
+        }
+    }
+    return found;
 }
 
 BodyState euler_slide(
@@ -182,6 +201,7 @@ BodyState step_stormer_verlet(
         const Contact contact = next_contact(flight, undamped, space);
         const double t = std::min(contact.time, dt);
         state = free_motion(flight, undamped, t);
+        state.position = space.above_ledges(flight.position.y, state.position);
         // For a whole step, half of the drag before gravity and half of it after; for a flight
         // that ends early as much as its time is worth.
         const double kept = std::exp(-law.drag * t);

@@ -47,8 +47,9 @@ BodyState Trajectory::folded(double t, const Law& law, const FreeSpace& space) c
 }
 
 TrajectoryEvent Trajectory::pass_event(const Law& law, const FreeSpace& space) {
-    const BodyState arriving =
+    BodyState arriving =
         folded_ ? folded(next_.time, law, space) : free_motion(start_, law, next_.time);
+    arriving.position = space.above_ledges(start_.position.y, arriving.position);
     const double total = fraction_ + next_.time;
     const double whole = std::floor(total * static_cast<double>(ticks_per_second));
     const auto ticks = static_cast<Ticks>(whole);

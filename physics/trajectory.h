@@ -72,6 +72,8 @@ public:
         return at(now, law, space).position;
     }
     Mode mode() const { return start_.mode; }
+    /// True while walls are not followed one by one.
+    bool is_folded() const { return folded_; }
     /// The first moment at which the next event is past; `never` for a motion without one.
     Ticks next_event() const { return due_; }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The motion of a point among rectangular obstacles, solved to 50 digits with mpmath.
+"""The motion of a point among rectangles and one-way floors, solved to 50 digits with mpmath.
 
 Units px, s, px/s; y points down. Between two events the point follows the exact flight; the time of
 an impact is the root of "coordinate minus side", bracketed and then refined by Newton steps inside
@@ -24,6 +24,7 @@ NEAR_SPEED = 1e-9      # relative distance of a speed to its threshold that leav
 LOOK_AHEAD = 1e-6      # [s] events this far behind the next one are looked at for a tie
 
 Obstacle = collections.namedtuple("Obstacle", "left top right bottom")
+Ledge = collections.namedtuple("Ledge", "top left right")  # stops what falls, and nothing else
 Event = collections.namedtuple("Event", "time kind side before after")
 Sample = collections.namedtuple("Sample", "state events")
 
@@ -43,6 +44,7 @@ class Scene:
     vx0: float
     vy0: float
     obstacles: tuple  # of Obstacle, open rectangles
+    ledges: tuple = ()  # of Ledge
 
 
 @dataclasses.dataclass(frozen=True)
@@ -98,6 +100,7 @@ class Motion:
         self.eps = max(mpf(scene.eps), mpmath.sqrt(2 * self.G * mpf(VISIBLE_HOP)))
         self.eps_x = mpf(scene.eps_x)
         self.obstacles = [Obstacle(*map(mpf, sides)) for sides in scene.obstacles]
+        self.floors = self.obstacles + [Ledge(*map(mpf, ends)) for ends in scene.ledges]
         self.event_limit = event_limit
         self.events = []
         self.fragile = []  # decisions too close to call, in words
@@ -105,7 +108,7 @@ class Motion:
 
     def launched(self, x, y, vx, vy):
         """The state in which a motion begins."""
-        on_floor = any(y == o.top and o.left < x < o.right for o in self.obstacles)
+        on_floor = any(y == o.top and o.left < x < o.right for o in self.floors)
         if vy == 0 and self.G > 0 and on_floor:
             return self.grounded(State(x, y, vx, vy, GROUND))
         if self.G == 0 and (vx == vy == 0 or self.k > 0 and mpmath.hypot(vx, vy) <= self.eps_x):
@@ -196,7 +199,7 @@ class Motion:
                 return None
             then = self.after(time)
             hit = False
-            for o in self.obstacles:
+            for o in self.floors if falling else self.obstacles:
                 if (o.top if falling else o.bottom) == side:
                     self.doubt_corner(then.x, time, (o.left, o.right), self.state.vx == 0)
                     hit = hit or within(then.x, o.left, o.right, then.vx)
@@ -225,7 +228,7 @@ class Motion:
                           mpf(0), min(self.apex(), horizon), False)
 
     def floor(self, horizon):
-        """The next upper side of an obstacle that a falling point meets: (time, side), or None."""
+        """The next upper side or ledge that a falling point meets: (time, side), or None."""
         if self.state.mode != AIR or self.state.vy == 0 and self.G == 0:
             return None
         turn = self.apex()
@@ -233,7 +236,7 @@ class Motion:
             return None
         top = self.after(turn).y
         starting = self.state.vy == 0  # a side at this very height is left, not met
-        sides = sorted({o.top for o in self.obstacles if o.top > top or o.top == top and not starting})
+        sides = sorted({o.top for o in self.floors if o.top > top or o.top == top and not starting})
         return self.level([s for s in sides if mpmath.isfinite(s)],
                           lambda t, side: self.after(t).y - side, lambda t: self.after(t).vy,
                           turn, horizon, True)
@@ -244,7 +247,7 @@ class Motion:
         if state.mode != GROUND:
             return None
         low = high = state.x
-        floors = [o for o in self.obstacles if o.top == state.y]
+        floors = [o for o in self.floors if o.top == state.y]
         for _ in floors:
             for o in floors:
                 if o.left <= high and o.right >= low:

@@ -19,12 +19,12 @@ import sys
 import mpmath
 
 import exact_model
-from exact_model import GROUND, Obstacle, Scene
+from exact_model import GROUND, Ledge, Obstacle, Scene
 
 HERE = pathlib.Path(__file__).resolve().parent
 COLUMNS = ("scene family k c G beta mu eps eps_x x0 y0 vx0 vy0 obstacles t_ns "
            "x y vx vy mode events").split()
-INPUTS = [field.name for field in dataclasses.fields(Scene) if field.name != "obstacles"]
+INPUTS = [field.name for field in dataclasses.fields(Scene) if field.name not in ("obstacles", "ledges")]
 PRINTED_DIGITS = 25
 NOTHING = 1e-200  # printed as 0: not every reader takes numbers below the smallest double
 SECOND = 10 ** 9  # [ns]
@@ -351,11 +351,11 @@ def write(path, what, scenes):
     """Writes one file of references."""
     with open(path, "w", newline="", encoding="ascii") as file:
         file.write(f"# {what}; from make_references.py: mpmath, {exact_model.DIGITS} working digits, "
-                   f"{PRINTED_DIGITS} printed; px, s, y down; obstacles left:top:right:bottom\n")
+                   f"{PRINTED_DIGITS} printed; px, s, y down; obstacles left:top:right:bottom, ledges top:left:right\n")
         rows = csv.writer(file, lineterminator="\n")
         rows.writerow(COLUMNS)
         for index, (family, scene, times, samples) in enumerate(scenes):
-            obstacles = ";".join(":".join(map(number, o)) for o in scene.obstacles)
+            obstacles = ";".join(":".join(map(number, o)) for o in scene.obstacles + scene.ledges)
             for time, values in zip(times, outputs(samples)):
                 rows.writerow([index, family, *(number(getattr(scene, name)) for name in INPUTS), obstacles,
                                time, *values])
@@ -368,8 +368,10 @@ def check(path, every):
     scenes = [list(group) for _, group in itertools.groupby(rows, key=lambda row: row["scene"])]
     wrong = 0
     for group in scenes[::every]:
-        obstacles = tuple(Obstacle(*map(float, o.split(":"))) for o in group[0]["obstacles"].split(";"))
-        scene = Scene(**{name: float(group[0][name]) for name in INPUTS}, obstacles=obstacles)
+        solids = [tuple(map(float, o.split(":"))) for o in group[0]["obstacles"].split(";")]
+        scene = Scene(**{name: float(group[0][name]) for name in INPUTS},
+                      obstacles=tuple(Obstacle(*o) for o in solids if len(o) == 4),
+                      ledges=tuple(Ledge(*o) for o in solids if len(o) == 3))
         samples, _, _ = exact_model.solve(scene, [int(row["t_ns"]) for row in group],
                                           digits=exact_model.DIGITS + 40)
         if outputs(samples) != [[row[name] for name in COLUMNS[-6:]] for row in group]:

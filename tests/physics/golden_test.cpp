@@ -117,3 +117,7 @@ TEST_CASE("golden: several monitors") {
     CHECK(outcomes.size() >= 8);
     CHECK(scenes_in(outcomes) >= 100);
 }
+
+TEST_CASE("golden: ledges") {
+    CHECK(scenes_in(outcomes_of("ledges.csv", {})) >= 40);
+}

@@ -45,13 +45,23 @@ Mode mode_named(const std::string& name) {
 
 FreeSpace space_of(const std::string& text) {
     std::vector<Obstacle> obstacles;
+    std::vector<Ledge> ledges;
     for (const std::string& item : split(text, ';')) {
         const std::vector<std::string> sides = split(item, ':');
+        if (sides.size() == 3) {
+            ledges.push_back(
+                {.left = std::stoi(sides[1]), .right = std::stoi(sides[2]), .y = std::stoi(sides[0])
+                }
+            );
+            continue;
+        }
         obstacles.push_back(
             {number(sides.at(0)), number(sides.at(1)), number(sides.at(2)), number(sides.at(3))}
         );
     }
-    return FreeSpace(std::move(obstacles));
+    const FreeSpace space(std::move(obstacles));
+    // They are those of the body's corner already.
+    return ledges.empty() ? space : space.with_ledges(ledges, {});
 }
 
 ReferenceScene scene_of(const std::vector<std::string>& row) {
