@@ -15,7 +15,8 @@ struct Monitor {
     Rect bounds;
     Rect work;  ///< Without the taskbar.
     bool primary = false;
-    std::string name;  ///< For people; identity across changes is not promised.
+    std::string name;      ///< For people; identity across changes is not promised.
+    int refresh_rate = 0;  ///< [Hz], cut to a whole number; 0 or 1: not known.
     bool operator==(const Monitor&) const = default;
 };
 

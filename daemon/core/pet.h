@@ -28,7 +28,9 @@ struct Pet {
     Vec2 spawn_position;   ///< Where reset() puts it, virtual desktop [px].
     BodyState shown;       ///< As of the last frame, or as put since.
     Motion motion = Motion::airborne;
-    Ticks since = 0;  ///< When this motion began.
+    Ticks since = 0;          ///< When this motion began.
+    Ticks frozen_at = never;  ///< When it was frozen; `never` if it is not.
+    Ticks lost = 0;           ///< Time that it was frozen: its body's time is that much behind.
     bool awake = false;
     bool started = false;  ///< The body moves; its first frame shows it where it was put.
     bool faces_left = false;
@@ -40,6 +42,7 @@ struct Pet {
     Vec2 position() const { return shown.position; }
     /// [px/s]
     Vec2 velocity() const { return shown.velocity; }
+    bool frozen() const { return frozen_at != never; }
 };
 
 }  // namespace hyrax
