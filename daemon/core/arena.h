@@ -16,8 +16,9 @@ struct Monitor {
     Rect bounds;
     Rect work;  ///< Without the taskbar.
     bool primary = false;
-    std::string name;    ///< For people; identity across changes is not promised.
-    double scale = 1.0;  ///< How much larger the system shows things there: DPI / 96.
+    std::string name;      ///< For people; identity across changes is not promised.
+    double scale = 1.0;    ///< How much larger the system shows things there: DPI / 96.
+    int refresh_rate = 0;  ///< [Hz], cut to a whole number; 0 or 1: not known.
     bool operator==(const Monitor&) const = default;
 };
 

@@ -151,6 +151,62 @@ constexpr std::array config_keys{
         floor_names
     },
     Field<Config>{
+        "/overlay/fullscreen",
+        [](Config& c) -> Slot { return &c.presence.full_screen; },
+        {},
+        "",
+        "What pets do on a screen that another program fills: hide (they wait, unseen), pause "
+        "(they "
+        "stand still) or stay.",
+        std::span(full_screen_names).first<3>()
+    },
+    Field<Config>{
+        "/overlay/fullscreen_rules",
+        [](Config& c) -> Slot { return &c.presence.rules; },
+        {0, 1000},
+        "",
+        "What they do instead for some programs."
+    },
+    Field<Config>{
+        "/overlay/fps_on_battery",
+        [](Config& c) -> Slot { return &c.presence.fps_on_battery; },
+        {1, 1000},
+        "frames/s",
+        "No more frames than this on battery."
+    },
+    Field<Config>{
+        "/overlay/fps_saving",
+        [](Config& c) -> Slot { return &c.presence.fps_saving; },
+        {1, 1000},
+        "frames/s",
+        "No more frames than this with the battery saver on, or over a remote connection."
+    },
+    Field<Config>{
+        "/overlay/on_resume",
+        [](Config& c) -> Slot { return &c.presence.on_resume; },
+        {},
+        "",
+        "After the machine slept or the screen was locked: pets go on from where they were (go_on) "
+        "or are where they would have come meanwhile (catch_up, event_driven only).",
+        resume_names
+    },
+    Field<Config>{
+        "/overlay/reduced_motion",
+        [](Config& c) -> Slot { return &c.presence.reduced_motion; },
+        {},
+        "",
+        "on: pets sit still unless they are thrown. auto asks the system whether animations are "
+        "wanted.",
+        motion_names
+    },
+    Field<Config>{
+        "/overlay/hide_from_capture",
+        [](Config& c) -> Slot { return &c.presence.hide_from_capture; },
+        {},
+        "",
+        "Leaves pets out of screenshots, recordings and shared screens."
+    },
+    Field<Config>{
         "/scripts/run",
         [](Config& c) -> Slot { return &c.scripts; },
         {0, 1000},
@@ -213,6 +269,25 @@ constexpr std::array start_keys{
     },
 };
 
+constexpr std::array full_screen_rule_keys{
+    Field<FullScreenRule>{
+        "/exe",
+        [](FullScreenRule& r) -> Slot { return &r.program; },
+        {},
+        "",
+        "The program's file, such as game.exe."
+    },
+    Field<FullScreenRule>{
+        "/do",
+        [](FullScreenRule& r) -> Slot { return &r.act; },
+        {},
+        "",
+        "As in fullscreen; hide_everywhere removes every window of hyrax as long as the program is "
+        "in front, full screen or not.",
+        full_screen_names
+    },
+};
+
 }  // namespace
 
 std::string_view name_of(Integrator integrator) {
@@ -225,6 +300,10 @@ std::span<const Field<Config>> config_table() {
 
 std::span<const Field<StartItem>> start_table() {
     return start_keys;
+}
+
+std::span<const Field<FullScreenRule>> full_screen_rule_table() {
+    return full_screen_rule_keys;
 }
 
 }  // namespace hyrax

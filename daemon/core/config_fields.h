@@ -19,6 +19,17 @@ namespace hyrax {
 /// In the order of FloorEdge.
 inline constexpr std::array<std::string_view, 2> floor_names{"work_area", "screen"};
 
+/// In the order of FullScreenAct; the last one in rules alone.
+inline constexpr std::array<std::string_view, 4> full_screen_names{
+    "hide", "pause", "stay", "hide_everywhere"
+};
+
+/// In the order of OnResume.
+inline constexpr std::array<std::string_view, 2> resume_names{"go_on", "catch_up"};
+
+/// In the order of ReducedMotion.
+inline constexpr std::array<std::string_view, 3> motion_names{"auto", "on", "off"};
+
 /// In the order of Integrator.
 inline constexpr std::array<std::string_view, 6> integrator_names{
     "event_driven",
@@ -42,6 +53,7 @@ struct Ignored {};
 /// Where a value goes; the type decides how it is read.
 using Slot = std::variant<
     Ignored,
+    bool*,
     double*,
     std::optional<double>*,
     int*,
@@ -49,8 +61,12 @@ using Slot = std::variant<
     std::string*,
     FloorEdge*,
     Integrator*,
+    FullScreenAct*,
+    OnResume*,
+    ReducedMotion*,
     std::vector<std::string>*,
-    std::vector<StartPets>*>;
+    std::vector<StartPets>*,
+    std::vector<FullScreenRule>*>;
 
 struct FieldRange {
     double low = 0.0;
@@ -70,5 +86,6 @@ struct Field {
 
 std::span<const Field<Config>> config_table();
 std::span<const Field<StartItem>> start_table();
+std::span<const Field<FullScreenRule>> full_screen_rule_table();
 
 }  // namespace hyrax

@@ -39,6 +39,15 @@ std::optional<StartPets> read_start_item(const JsonValue& value) {
     return item.pets;
 }
 
+std::optional<FullScreenRule> read_full_screen_rule(const JsonValue& value) {
+    FullScreenRule rule;
+    read_members<FullScreenRule>(value, "", full_screen_rule_table(), rule);
+    if (value.located().value.is_object() && !value.required("exe")) {
+        return std::nullopt;
+    }
+    return rule;
+}
+
 // A value that does not pass leaves the slot as it was, and an error.
 template <typename Info>
 struct SlotReader {
@@ -53,6 +62,7 @@ struct SlotReader {
     }
 
     void operator()(Ignored) const {}
+    void operator()(bool* slot) const { assign(*slot, value.flag()); }
     void operator()(double* slot) const {
         assign(*slot, value.number(field.range.low, field.range.high));
     }
@@ -66,10 +76,14 @@ struct SlotReader {
     }
     void operator()(FloorEdge* slot) const { choose(*slot); }
     void operator()(Integrator* slot) const { choose(*slot); }
+    void operator()(FullScreenAct* slot) const { choose(*slot); }
+    void operator()(OnResume* slot) const { choose(*slot); }
+    void operator()(ReducedMotion* slot) const { choose(*slot); }
     void operator()(std::vector<std::string>* slot) const {
         fill(*slot, [](const JsonValue& item) { return item.path_pattern(); });
     }
     void operator()(std::vector<StartPets>* slot) const { fill(*slot, read_start_item); }
+    void operator()(std::vector<FullScreenRule>* slot) const { fill(*slot, read_full_screen_rule); }
 
 private:
     // The names stand in the order of the enumeration.
@@ -146,6 +160,7 @@ void read_members(
 
 struct SlotType {
     std::string_view operator()(Ignored) const { return "string"; }
+    std::string_view operator()(const bool*) const { return "boolean"; }
     std::string_view operator()(const double*) const { return "number"; }
     std::string_view operator()(const std::optional<double>*) const { return "number"; }
     std::string_view operator()(const int*) const { return "integer"; }
@@ -153,8 +168,12 @@ struct SlotType {
     std::string_view operator()(const std::string*) const { return "string"; }
     std::string_view operator()(const FloorEdge*) const { return "string"; }
     std::string_view operator()(const Integrator*) const { return "string"; }
+    std::string_view operator()(const FullScreenAct*) const { return "string"; }
+    std::string_view operator()(const OnResume*) const { return "string"; }
+    std::string_view operator()(const ReducedMotion*) const { return "string"; }
     std::string_view operator()(const std::vector<std::string>*) const { return "array"; }
     std::string_view operator()(const std::vector<StartPets>*) const { return "array"; }
+    std::string_view operator()(const std::vector<FullScreenRule>*) const { return "array"; }
 };
 
 struct SlotDefault {
@@ -166,6 +185,17 @@ struct SlotDefault {
     std::string operator()(const Integrator* slot) const {
         return json(integrator_names[static_cast<std::size_t>(*slot)]).dump();
     }
+    std::string operator()(const FullScreenAct* slot) const {
+        return json(full_screen_names[static_cast<std::size_t>(*slot)]).dump();
+    }
+    std::string operator()(const OnResume* slot) const {
+        return json(resume_names[static_cast<std::size_t>(*slot)]).dump();
+    }
+    std::string operator()(const ReducedMotion* slot) const {
+        return json(motion_names[static_cast<std::size_t>(*slot)]).dump();
+    }
+    // Empty in a fresh Config.
+    std::string operator()(const std::vector<FullScreenRule>*) const { return "[]"; }
     std::string operator()(const std::vector<StartPets>* slot) const {
         json list = json::array();
         for (const StartPets& pets : *slot) {
@@ -202,6 +232,7 @@ std::vector<ConfigField> config_fields() {
     std::vector<ConfigField> list;
     describe<Config>("", config_table(), list);
     describe<StartItem>("/pets/start/*", start_table(), list);
+    describe<FullScreenRule>("/overlay/fullscreen_rules/*", full_screen_rule_table(), list);
     return list;
 }
 

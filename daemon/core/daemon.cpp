@@ -44,8 +44,16 @@ void Daemon::run_due() {
 }
 
 void Daemon::draw(Ticks now) {
-    const Ticks world = clock_.at(now);
     changed_ = false;
+    heed_presence(now);
+    const Decisions& so = presence_.decisions();
+    if (so.unseen) {
+        report();
+        choose_conduct(false, false);
+        next_frame_ = never;
+        return;
+    }
+    const Ticks world = clock_.at(now);
     welcome();
     const bool swinging = engine_.advance_held(now);
     if (!clock_.paused()) {
@@ -53,7 +61,12 @@ void Daemon::draw(Ticks now) {
         scripts_.run(engine_, monitors_, world);
         changed_ = engine_.has_events();
     }
-    Staged next = staged(engine_, sets_, world, from_seconds(config_.drowsy_after));
+    Staged next;
+    if (!so.windowless) {
+        const Liveliness liveliness = so.calm ? Liveliness::calm : Liveliness::lively;
+        next = staged(engine_, sets_, world, from_seconds(config_.drowsy_after), liveliness);
+        next.frame.kept_free = so.kept_free;
+    }
     if (next.frame != frame_) {
         frame_ = std::move(next.frame);
         desktop_.present(frame_);
@@ -65,7 +78,9 @@ void Daemon::draw(Ticks now) {
     pacer_.drawn(now);
     const Ticks wake = clock_.machine_time(std::min(next.next_change, scripts_.next_wake()));
     const bool every_frame = swinging || (engine_.moving() && !clock_.paused());
-    next_frame_ = every_frame ? pacer_.next() : std::max(wake, pacer_.next());
+    const Ticks due = std::min(wake, presence_.due());
+    next_frame_ = every_frame ? pacer_.next() : std::max(due, pacer_.next());
+    choose_conduct(every_frame, !clock_.paused() && next.next_change != never);
 }
 
 void Daemon::welcome() {
@@ -94,7 +109,16 @@ void Daemon::report() {
             problem = list->front();
         }
     }
-    const Status status{engine_.size(), clock_.paused(), std::move(problem)};
+    if (problem.empty() && config_.presence.hide_from_capture &&
+        presence_.facts().capture_refused) {
+        problem = "captures show the pets: the system refused overlay.hide_from_capture";
+    }
+    const Status status{
+        .pets = engine_.size(),
+        .paused = user_paused_,
+        .problem = std::move(problem),
+        .note = presence_.decisions().note,
+    };
     if (status != shown_status_) {
         shown_status_ = status;
         desktop_.show_status(status);

@@ -7,6 +7,7 @@
 #include "daemon/core/engine.h"
 #include "daemon/core/hand.h"
 #include "daemon/core/pacer.h"
+#include "daemon/core/presence.h"
 #include "daemon/core/profile.h"
 #include "daemon/core/script_bridge.h"
 #include "daemon/core/stage.h"
@@ -55,6 +56,7 @@ private:
     void on(const input::PointerLost& lost);
     void on(const input::MonitorsChanged& changed);
     void on(const input::FilesChanged& changed);
+    void on(const input::FactsChanged& changed);
     void on(const Request& request);
 
     void carry_out(const request::Spawn& spawn);
@@ -73,6 +75,11 @@ private:
     void read_kinds();
     void read_scripts();
     void use_monitors();
+
+    // daemon_presence.cpp
+    void use_presence_settings();
+    void heed_presence(Ticks now);
+    void choose_conduct(bool moving, bool animated);
 
     void draw(Ticks now);
     void welcome();
@@ -94,10 +101,13 @@ private:
     std::vector<ScriptSource> sources_;
     WorldClock clock_;
     Pacer pacer_;
+    Presence presence_;
+    Conduct conduct_;
     Hand hand_;
     Frame frame_;
     Ticks next_frame_ = 0;
     bool changed_ = true;
+    bool user_paused_ = false;
     bool welcomed_ = false;
     bool quitting_ = false;
 

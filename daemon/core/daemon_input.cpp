@@ -96,11 +96,13 @@ void Daemon::carry_out(const request::RemoveAll&) {
 }
 
 void Daemon::carry_out(const request::SetPaused& pause) {
-    clock_.set_paused(pause.paused, desktop_.now());
+    user_paused_ = pause.paused;
+    heed_presence(desktop_.now());
 }
 
 void Daemon::carry_out(const request::TogglePause&) {
-    clock_.set_paused(!clock_.paused(), desktop_.now());
+    user_paused_ = !user_paused_;
+    heed_presence(desktop_.now());
 }
 
 void Daemon::carry_out(const request::Reload&) {

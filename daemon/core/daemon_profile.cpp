@@ -45,7 +45,7 @@ void Daemon::read_config() {
         config_.engine.physics.restitution,
         config_.fps
     );
-    pacer_.set_rate(config_.fps);
+    use_presence_settings();
     if (floor_moved) {
         use_monitors();
     }
@@ -87,6 +87,7 @@ void Daemon::use_monitors() {
     }
     monitors_ = std::move(monitors);
     engine_.set_arena(Arena(monitors_, config_.floor));
+    presence_.set_monitors(monitors_);
 }
 
 }  // namespace hyrax

@@ -4,6 +4,7 @@
 
 #include "daemon/core/arena.h"
 #include "daemon/core/event.h"
+#include "daemon/core/facts.h"
 #include "daemon/core/frame.h"
 #include "daemon/core/request.h"
 #include "physics/ticks.h"
@@ -36,6 +37,10 @@ struct PointerLost {};
 struct MonitorsChanged {};
 /// A file of the profile may have changed: config.json, a script, a sprite set.
 struct FilesChanged {};
+/// Who is in front, or how the machine is, has changed.
+struct FactsChanged {
+    Facts facts;
+};
 }  // namespace input
 
 using Input = std::variant<
@@ -45,14 +50,33 @@ using Input = std::variant<
     input::PointerLost,
     input::MonitorsChanged,
     input::FilesChanged,
+    input::FactsChanged,
     Request>;
 
 /// What the user sees of the daemon's state without any window: the tray's tip and menu.
 struct Status {
     std::size_t pets = 0;
     bool paused = false;
-    std::string problem;  ///< One line about what is wrong; empty when nothing is.
+    std::string problem{};  ///< One line about what is wrong; empty when nothing is.
+    std::string note{};     ///< One line on why pets are not as usual; else empty.
     bool operator==(const Status&) const = default;
+};
+
+/// What the daemon needs to be told of who is in front.
+enum class Watch {
+    off,
+    events,   ///< What the system tells by itself: no timer.
+    closely,  ///< And a look every now and then, for what it does not tell.
+};
+
+/// How the desktop has to behave, apart from what it shows.
+struct Conduct {
+    Watch front = Watch::off;
+    bool name_programs = false;      ///< FrontWindow::program is wanted.
+    bool hide_from_capture = false;  ///< Screenshots and recordings must not show the pets.
+    bool let_go = false;             ///< The pointer must not be kept: windows have to go.
+    bool resting = true;             ///< Nothing moves: little of the processor is needed.
+    bool operator==(const Conduct&) const = default;
 };
 
 /// A machine with screens, a pointer and a clock. One thread.
@@ -74,6 +98,8 @@ public:
     virtual std::vector<Monitor> monitors() = 0;
     /// Called when the status has changed.
     virtual void show_status(const Status& status) = 0;
+    /// Called when the conduct has changed.
+    virtual void follow(const Conduct&) {}
 };
 
 }  // namespace hyrax

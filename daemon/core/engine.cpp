@@ -165,6 +165,7 @@ Result<void> Engine::grab(PetId id, Ticks time) {
         held_.push_back({id, spring});
         pet.motion = Motion::held;
         pet.since = now_;
+        refresh_frozen(id, pet);
         pet.awake = false;
         std::erase(awake_, id);
         emit({.kind = EventKind::grab, .pet = id});
@@ -302,9 +303,12 @@ void Engine::set_in_motion(PetId id, Pet& pet, Vec2 velocity) {
     pet.shown.velocity = velocity;
     pet.body.launch(pet.position(), velocity, rules_, around(pet), walls);
     pet.started = false;
+    refresh_frozen(id, pet);
     if (!pet.awake) {
         pet.awake = true;
-        awake_.push_back(id);
+        if (!pet.frozen()) {
+            awake_.push_back(id);
+        }
     }
 }
 

@@ -120,6 +120,11 @@ public:
     /// Moves the pets that a hand holds; `time` is the hand's. True while they swing.
     bool advance_held(Ticks time);
 
+    /// Pets whose middle lies in one of these areas stand still, and later go on as if
+    /// no time had passed. A held pet belongs to the hand; a pet that flies into an
+    /// area stops there.
+    void freeze(std::vector<Rect> areas, Ticks now);
+
     /// Pets outside the new arena move to the nearest place in it; nobody is lost.
     void set_arena(Arena arena);
     const Arena& arena() const { return arena_; }
@@ -184,6 +189,9 @@ private:
     void put_back(PetId id, Pet& pet);
     void move_into_arena(PetId id, Pet& pet, bool disturbed);
     void advance(PetId id, Pet& pet, Ticks now);
+    bool in_frozen_area(const Pet& pet) const;
+    void refresh_frozen(PetId id, Pet& pet);
+    void thaw(PetId id, Pet& pet);
     void meet(PetId id, Pet& pet, const TrajectoryEvent& event);
     Vec2 capped(Vec2 velocity) const;
     Vec2 random_entrance();
@@ -199,6 +207,7 @@ private:
     SlotMap<Pet> pets_;
     std::vector<PetId> awake_;
     std::vector<Held> held_;
+    std::vector<Rect> frozen_areas_;
     std::vector<Event> events_;
     EventMask listening_;
     std::uint64_t contacts_ = 0;

@@ -49,18 +49,22 @@ void Engine::advance(Ticks now) {
     std::erase_if(awake_, [this, now](PetId id) {
         Pet& pet = *pets_.find(id);
         advance(id, pet, now);
-        return !pet.awake;
+        if (!frozen_areas_.empty() && in_frozen_area(pet)) {
+            pet.frozen_at = now;
+        }
+        return !pet.awake || pet.frozen();
     });
 }
 
 void Engine::advance(PetId id, Pet& pet, Ticks now) {
+    const Ticks own = now - pet.lost;
     if (!std::exchange(pet.started, true)) {
-        pet.body.start(now);
+        pet.body.start(own);
     }
-    pet.body.advance(now, rules_, around(pet), [&](const TrajectoryEvent& event) {
+    pet.body.advance(own, rules_, around(pet), [&](const TrajectoryEvent& event) {
         meet(id, pet, event);
     });
-    pet.shown = pet.body.at(now, rules_, around(pet));
+    pet.shown = pet.body.at(own, rules_, around(pet));
     if (std::fabs(pet.shown.velocity.x) > turning_speed) {
         pet.faces_left = pet.shown.velocity.x < 0.0;
     }

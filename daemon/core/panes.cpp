@@ -192,10 +192,14 @@ std::vector<Pane> plan_panes(
     std::span<const Monitor> monitors,
     std::span<const Rect> sprites,
     std::span<const Pane> before,
-    Ticks now
+    Ticks now,
+    std::span<const Rect> kept_free
 ) {
     std::vector<Pane> panes;
     for (const Monitor& monitor : monitors) {
+        if (std::ranges::find(kept_free, monitor.bounds) != kept_free.end()) {
+            continue;
+        }
         const Rect shows = seen_on(monitor.bounds, sprites);
         if (shows.empty()) {
             continue;

@@ -26,14 +26,16 @@ struct Pane {
     bool operator==(const Pane&) const = default;
 };
 
-/// One pane for each monitor that shows a part of a sprite, in the order of the monitors. A pane
+/// One pane for each monitor that shows a part of a sprite, in the order of the monitors; none on
+/// those whose bounds are kept free. A pane
 /// grows at once, with room ahead, and shrinks when it was too large for a second: each change
 /// makes the system build a new surface.
 std::vector<Pane> plan_panes(
     std::span<const Monitor> monitors,
     std::span<const Rect> sprites,
     std::span<const Pane> before,
-    Ticks now
+    Ticks now,
+    std::span<const Rect> kept_free = {}
 );
 
 /// When to plan again although no sprite moves, because a pane may shrink then; `never` if none.

@@ -32,7 +32,9 @@ struct Pet {
     std::size_t space = 0;     ///< Index into the engine's Spaces, by the size of its box.
     std::size_t screen = 0;    ///< Index of the arena's box whose scale counts.
     Motion motion = Motion::airborne;
-    Ticks since = 0;  ///< When this motion began.
+    Ticks since = 0;          ///< When this motion began.
+    Ticks frozen_at = never;  ///< When it was frozen; `never` if it is not.
+    Ticks lost = 0;           ///< Time that it was frozen: its body's time is that much behind.
     bool awake = false;
     bool started = false;  ///< The body moves; its first frame shows it where it was put.
     bool faces_left = false;
@@ -44,6 +46,7 @@ struct Pet {
     Vec2 position() const { return shown.position; }
     /// [px/s]
     Vec2 velocity() const { return shown.velocity; }
+    bool frozen() const { return frozen_at != never; }
 };
 
 }  // namespace hyrax

@@ -123,7 +123,13 @@ void ScriptBridge::apply(Engine& engine, const ScriptCommand& given) {
             return {};
         } else {
             const PetId pet = id_of(c.pet);
-            if (engine.find(pet) == nullptr) {
+            const Pet* const found = engine.find(pet);
+            if (found == nullptr) {
+                return {};
+            }
+            constexpr bool sets_in_motion =
+                std::is_same_v<Command, command::Fling> || std::is_same_v<Command, command::Push>;
+            if (sets_in_motion && must_stay(*found)) {
                 return {};
             }
             if constexpr (std::is_same_v<Command, command::Fling>) {

@@ -21,6 +21,8 @@ public:
     /// Hands over the engine's events, runs what is due at `now` and applies the commands. A
     /// command that fails is logged; one for a pet that has gone meanwhile is dropped.
     void run(Engine& engine, const std::vector<Monitor>& monitors, Ticks now);
+    /// While calm, no script sets a pet in motion that stands on the ground.
+    void set_calm(bool calm) { calm_ = calm; }
     /// When run() has something to do, apart from events.
     Ticks next_wake() const { return next_wake_; }
 
@@ -30,10 +32,12 @@ private:
     ScriptWorld snapshot(const Engine& engine, const std::vector<Monitor>& monitors, Ticks now)
         const;
     void apply(Engine& engine, const ScriptCommand& command);
+    bool must_stay(const Pet& pet) const { return calm_ && pet.motion == Motion::settled; }
     void forget_removed(const Engine& engine);
 
     std::unique_ptr<ScriptHost> host_;
     bool loaded_ = false;
+    bool calm_ = false;
     Ticks next_wake_ = never;
     // Pets that scripts spawned, both ways; all others have keys made from their ids.
     std::unordered_map<PetKey, PetId> made_;

@@ -38,6 +38,16 @@ Shown settled_pose(const SpriteSet& set, Ticks elapsed, Ticks drowsy_after) {
     return idle;
 }
 
+// Sits, then lies, and does nothing else.
+Shown calm_pose(const SpriteSet& set, Ticks elapsed, Ticks drowsy_after) {
+    const auto rest = set.animations.find("rest");
+    if (rest == set.animations.end()) {
+        return {set.animation("idle").frames.front().cell, never};
+    }
+    return elapsed < drowsy_after ? Shown{set.animation("idle").frames.front().cell, drowsy_after}
+                                  : Shown{rest->second.frames.back().cell, never};
+}
+
 // The pet's box stands where physics says; the cell hangs around it.
 Point cell_corner(const SpriteSet& set, const Pet& pet) {
     const Vec2 box = pet.position();
@@ -71,21 +81,27 @@ Shown pose(const SpriteSet& set, Motion motion, Ticks elapsed, Ticks drowsy_afte
 }
 
 Staged staged(
-    const Engine& engine, const std::vector<SpriteSet>& sets, Ticks now, Ticks drowsy_after
+    const Engine& engine,
+    const std::vector<SpriteSet>& sets,
+    Ticks now,
+    Ticks drowsy_after,
+    Liveliness liveliness
 ) {
     Staged result;
     result.frame.sprites.reserve(engine.size());
     engine.for_each([&](PetId id, const Pet& pet) {
         const SpriteSet& set = sets[pet.kind];
-        const Shown shown =
-            pose(set, pet.motion, std::max<Ticks>(0, now - pet.since), drowsy_after);
+        const Ticks elapsed = std::max<Ticks>(0, std::min(now, pet.frozen_at) - pet.since);
+        const bool calm = liveliness == Liveliness::calm && pet.motion == Motion::settled;
+        const Shown shown = calm ? calm_pose(set, elapsed, drowsy_after)
+                                 : pose(set, pet.motion, elapsed, drowsy_after);
         result.frame.sprites.push_back({
             .image = pet.faces_left ? &set.mirrored : &set.sheet,
             .source = set.cell_rect(shown.cell),
             .at = cell_corner(set, pet),
             .pet = id,
         });
-        if (shown.until != never) {
+        if (shown.until != never && !pet.frozen()) {
             result.next_change = std::min(result.next_change, pet.since + shown.until);
         }
     });

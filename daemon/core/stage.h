@@ -23,9 +23,19 @@ struct Staged {
     Ticks next_change = never;  ///< When the next animation frame begins, if nobody moves.
 };
 
-/// `sets[i]` holds the pictures of `engine.kinds()[i]` and must outlive the frame.
+enum class Liveliness {
+    lively,
+    calm,  ///< Animations of pets on the ground stand still.
+};
+
+/// `sets[i]` holds the pictures of `engine.kinds()[i]` and must outlive the frame. Frozen pets
+/// keep the pose that they had.
 Staged staged(
-    const Engine& engine, const std::vector<SpriteSet>& sets, Ticks now, Ticks drowsy_after
+    const Engine& engine,
+    const std::vector<SpriteSet>& sets,
+    Ticks now,
+    Ticks drowsy_after,
+    Liveliness liveliness = Liveliness::lively
 );
 
 }  // namespace hyrax

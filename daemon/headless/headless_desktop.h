@@ -34,6 +34,9 @@ public:
     std::vector<Monitor> monitors() override { return monitors_; }
     void show_status(const Status& status) override { statuses_.push_back(status); }
 
+    void follow(const Conduct& conduct) override { conduct_ = conduct; }
+
+    const Conduct& conduct() const { return conduct_; }
     const Frame& last_frame() const { return frame_; }
     std::size_t presents() const { return presents_; }
     /// How often wait() came back because its deadline had come.
@@ -50,6 +53,7 @@ private:
     std::size_t presents_ = 0;
     std::size_t timer_wakeups_ = 0;
     std::vector<Status> statuses_;
+    Conduct conduct_;
 };
 
 /// The frame over the bounding box of the monitors, transparent where no pet is.

@@ -59,7 +59,7 @@ void Overlay::present_again(std::span<const Monitor> monitors, Ticks now) {
 }
 
 void Overlay::plan(const Frame& frame, std::span<const Monitor> monitors, Ticks now) {
-    plan_ = plan_panes(monitors, places_of(frame), plan_, now);
+    plan_ = plan_panes(monitors, places_of(frame), plan_, now, frame.kept_free);
     retire_windows(frame, monitors);
 }
 

@@ -65,6 +65,9 @@ OneField one_field(const std::string& path, const std::string& value) {
         after = (path.ends_with("/x") ? ", \"y\": 0" : ", \"x\": 0") + after;
     }
     const std::string column = std::to_string(before.size() + 1);
+    if (path.ends_with("/do")) {
+        after = ", \"exe\": \"a\"" + after;
+    }
     return {before + value + after, "config.json:1:" + column + ": " + pointer + ": "};
 }
 
@@ -152,7 +155,9 @@ TEST_CASE("config: a wrong type, in every field, names place, key, expected and 
             {"-1e300", "-1e300"}
         };
         for (const auto& [value, found] : values) {
-            if (field.type != "array" || value != "[[]]") {
+            const bool fits = (field.type == "array" && value == "[[]]") ||
+                              (field.type == "boolean" && value == "true");
+            if (!fits) {
                 check_refused(field, value, found);
             }
         }
@@ -176,7 +181,7 @@ TEST_CASE("config: every number is accepted at its bounds and refused beyond the
             check_refused(field, "1.5", "1.5");
         }
     }
-    CHECK(numbers == 20);
+    CHECK(numbers == 22);
 }
 
 TEST_CASE("config: names, choices and lists") {
@@ -327,7 +332,7 @@ TEST_CASE("config: the shipped file shows every key but those of its example") {
     REQUIRE(text);
     const json config = json::parse(*text, nullptr, true, true);
     for (const ConfigField& field : config_fields()) {
-        if (!field.path.starts_with("/pets/start/*")) {
+        if (!field.path.contains("/*/")) {
             CHECK_MESSAGE(config.contains(json::json_pointer(field.path)), field.path);
         }
         const std::string key = field.path.substr(field.path.rfind('/') + 1);

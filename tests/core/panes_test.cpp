@@ -223,3 +223,35 @@ TEST_CASE("clusters are clipped to the pane, and there are few of them") {
         }
     }
 }
+
+TEST_CASE("no pane lies on a monitor that is kept free, whatever is there") {
+    std::minstd_rand random(7);
+    const std::vector<Monitor> screens = two_screens();
+    std::vector<Pane> panes;
+    for (int i = 0; i < 2000; ++i) {
+        std::vector<Rect> sprites;
+        for (auto n = random() % 6; n > 0; --n) {
+            const int x = static_cast<int>(random() % 3700) - 1700;
+            const int y = static_cast<int>(random() % 1400) - 300;
+            sprites.push_back(pet_at_place(x, y));
+        }
+        std::vector<Rect> kept_free;
+        for (const Monitor& monitor : screens) {
+            if (random() % 2 == 0) {
+                kept_free.push_back(monitor.bounds);
+            }
+        }
+        panes = plan_panes(screens, sprites, panes, i * ticks_per_second / 10, kept_free);
+        const std::vector<Pane> all = plan_panes(screens, sprites, {}, 0);
+        std::size_t expected = 0;
+        for (const Pane& pane : all) {
+            expected += std::ranges::count(kept_free, pane.monitor) == 0 ? 1U : 0U;
+        }
+        REQUIRE(panes.size() == expected);
+        for (const Pane& pane : panes) {
+            for (const Rect& area : kept_free) {
+                REQUIRE(intersection(pane.area, area).empty());
+            }
+        }
+    }
+}

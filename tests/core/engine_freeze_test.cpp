@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// Pets that stand still for a while have lost no motion and no pose.
+#include "tests/core/engine_seen.h"
+
+#include <string>
+
+using namespace hyrax;
+
+namespace {
+
+constexpr Rect left{0, 0, 1000, 800};
+constexpr Rect right{1000, 0, 1000, 800};
+
+Arena two_monitors() {
+    return Arena({monitor(left), monitor(right)}, FloorEdge::work_area);
+}
+
+}  // namespace
+
+TEST_CASE("a frozen pet goes on exactly where it was, with every integrator") {
+    for (const Integrator integrator : integrators) {
+        CAPTURE(static_cast<int>(integrator));
+        World world({.integrator = integrator});
+        World twin({.integrator = integrator});
+        for (World* one : {&world, &twin}) {
+            one->engine.set_arena(two_monitors());
+        }
+        const PetId id = world.spawn({300.0, 100.0}, {90.0, -100.0});
+        const PetId other = twin.spawn({300.0, 100.0}, {90.0, -100.0});
+        world.run(0.5);
+        twin.run(0.5);
+        const Vec2 before = world.pet(id).position();
+        world.engine.freeze({left}, world.now - frame);
+        CHECK_FALSE(world.engine.moving());
+        const Ticks stopped = world.now;
+        world.run(7.0);
+        CHECK(world.pet(id).position() == before);
+        world.engine.freeze({}, world.now - frame);
+        CHECK(world.engine.moving());
+        const Ticks lost = world.now - stopped;
+        for (int i = 0; i < 300; ++i, world.now += frame, twin.now += frame) {
+            world.engine.advance(world.now);
+            twin.engine.advance(twin.now);
+            REQUIRE(world.pet(id).position() == twin.pet(other).position());
+            REQUIRE(world.pet(id).motion == twin.pet(other).motion);
+            if (world.pet(id).motion == Motion::settled) {
+                REQUIRE(world.pet(id).since == twin.pet(other).since + lost);
+            }
+        }
+    }
+}
+
+TEST_CASE("pets on other monitors go on, and one that flies in stops there") {
+    World world;
+    world.engine.set_arena(two_monitors());
+    const PetId stays = world.spawn({300.0, 100.0});
+    const PetId goes = world.spawn({1500.0, 100.0}, {-900.0, -300.0});
+    world.engine.freeze({left}, 0);
+    world.run(0.3);
+    CHECK(world.pet(stays).position() == Vec2{300.0, 100.0});
+    CHECK(world.pet(goes).position().x < 1500.0);
+    world.run(3.0);
+    const double middle = world.pet(goes).position().x + box.width / 2.0;
+    CHECK(middle < 1000.0);
+    CHECK(middle > 960.0);
+    CHECK(world.pet(goes).velocity().x < -500.0);
+    CHECK_FALSE(world.engine.moving());
+    world.engine.freeze({}, world.now);
+    world.run(1.0);
+    CHECK(world.pet(stays).position().y > 200.0);
+    CHECK(world.pet(goes).position().x < 900.0);
+}
+
+TEST_CASE("what is asked of a frozen pet happens when it may move again") {
+    World world;
+    world.engine.set_arena(two_monitors());
+    const PetId id = world.spawn({300.0, 700.0});
+    world.run(3.0);
+    CHECK_FALSE(world.engine.moving());
+    world.engine.freeze({left}, world.now);
+    REQUIRE(world.engine.fling(id, {0.0, -500.0}));
+    CHECK_FALSE(world.engine.moving());
+    world.run(1.0);
+    CHECK(world.pet(id).position().y == 720.0);
+    world.engine.freeze({}, world.now);
+    world.run(0.2);
+    CHECK(world.pet(id).position().y < 700.0);
+    CHECK(world.pet(id).since > 3 * ticks_per_second);
+}
+
+TEST_CASE("a pet that is carried or put out of the area moves at once") {
+    World world;
+    world.engine.set_arena(two_monitors());
+    const PetId put = world.spawn({300.0, 100.0});
+    const PetId carried = world.spawn({500.0, 100.0});
+    const PetId removed = world.spawn({700.0, 100.0});
+    world.engine.freeze({left}, 0);
+    REQUIRE(world.engine.move_to(put, {1200.0, 100.0}));
+    CHECK(world.engine.awake_count() == 1);
+    REQUIRE(world.engine.move_to(put, {200.0, 100.0}));
+    CHECK(world.engine.awake_count() == 0);
+    REQUIRE(world.engine.move_to(put, {1200.0, 100.0}));
+    CHECK(world.engine.awake_count() == 1);
+
+    REQUIRE(world.engine.grab(carried, 0));
+    CHECK_FALSE(world.pet(carried).frozen());
+    REQUIRE(world.engine.carry(carried, {1500.0, 200.0}, frame));
+    REQUIRE(world.engine.let_go(carried, 2 * ticks_per_second, 0.0));
+    CHECK(world.engine.awake_count() == 2);
+
+    REQUIRE(world.engine.remove(removed));
+    world.run(0.5);
+    CHECK(world.pet(put).position().y > 150.0);
+    world.engine.freeze({}, world.now);
+    world.run(10.0);
+    CHECK_FALSE(world.engine.moving());
+}
+
+TEST_CASE("a pet whose frozen monitor goes away lives on the other one") {
+    World world;
+    world.engine.set_arena(two_monitors());
+    const PetId id = world.spawn({1300.0, 100.0}, {100.0, 0.0});
+    world.engine.freeze({right}, 0);
+    world.engine.set_arena(one_monitor(left));
+    world.engine.freeze({}, frame);
+    world.run(10.0);
+    CHECK(world.pet(id).position() == Vec2{900.0, 720.0});
+    CHECK_FALSE(world.engine.moving());
+}
