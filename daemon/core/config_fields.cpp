@@ -135,6 +135,21 @@ constexpr std::array config_keys{
         "A pet that has not moved for this time lies down."
     },
     Field<Config>{
+        "/pets/scale",
+        [](Config& c) -> Slot { return &c.engine.scale; },
+        {least_scale, most_scale},
+        "",
+        "How large pets are, beside the scale of their kind and their own. Pixel art takes the "
+        "nearest whole number."
+    },
+    Field<Config>{
+        "/pets/scale_with_dpi",
+        [](Config& c) -> Slot { return &c.engine.scale_with_dpi; },
+        {},
+        "",
+        "Whether pets grow with the scaling that the system sets for their screen."
+    },
+    Field<Config>{
         "/overlay/fps",
         [](Config& c) -> Slot { return &c.fps; },
         {1, 1000},
@@ -149,6 +164,22 @@ constexpr std::array config_keys{
         "What pets stand on: the top of the taskbar (work_area) or the edge of the screen "
         "(screen).",
         floor_names
+    },
+    Field<Config>{
+        "/overlay/opacity",
+        [](Config& c) -> Slot { return &c.opacity; },
+        {least_opacity, 1},
+        "",
+        "How opaque the pets are: at 1 nothing shines through them."
+    },
+    Field<Config>{
+        "/overlay/renderer",
+        [](Config& c) -> Slot { return &c.renderer; },
+        {},
+        "",
+        "Who draws the frames: hyrax itself (blit), or GDI+ (gdiplus), which is many times slower "
+        "and there to compare.",
+        renderer_names
     },
     Field<Config>{
         "/scripts/run",

@@ -19,6 +19,9 @@ namespace hyrax {
 /// In the order of FloorEdge.
 inline constexpr std::array<std::string_view, 2> floor_names{"work_area", "screen"};
 
+/// In the order of Renderer.
+inline constexpr std::array<std::string_view, 2> renderer_names{"blit", "gdiplus"};
+
 /// In the order of Integrator.
 inline constexpr std::array<std::string_view, 6> integrator_names{
     "event_driven",
@@ -44,11 +47,13 @@ using Slot = std::variant<
     Ignored,
     double*,
     std::optional<double>*,
+    bool*,
     int*,
     std::size_t*,
     std::string*,
     FloorEdge*,
     Integrator*,
+    Renderer*,
     std::vector<std::string>*,
     std::vector<StartPets>*>;
 

@@ -59,6 +59,7 @@ struct SlotReader {
     void operator()(std::optional<double>* slot) const {
         *slot = value.number(field.range.low, field.range.high);
     }
+    void operator()(bool* slot) const { assign(*slot, value.flag()); }
     void operator()(int* slot) const { assign(*slot, whole()); }
     void operator()(std::size_t* slot) const { assign(*slot, whole()); }
     void operator()(std::string* slot) const {
@@ -66,6 +67,7 @@ struct SlotReader {
     }
     void operator()(FloorEdge* slot) const { choose(*slot); }
     void operator()(Integrator* slot) const { choose(*slot); }
+    void operator()(Renderer* slot) const { choose(*slot); }
     void operator()(std::vector<std::string>* slot) const {
         fill(*slot, [](const JsonValue& item) { return item.path_pattern(); });
     }
@@ -148,11 +150,13 @@ struct SlotType {
     std::string_view operator()(Ignored) const { return "string"; }
     std::string_view operator()(const double*) const { return "number"; }
     std::string_view operator()(const std::optional<double>*) const { return "number"; }
+    std::string_view operator()(const bool*) const { return "boolean"; }
     std::string_view operator()(const int*) const { return "integer"; }
     std::string_view operator()(const std::size_t*) const { return "integer"; }
     std::string_view operator()(const std::string*) const { return "string"; }
     std::string_view operator()(const FloorEdge*) const { return "string"; }
     std::string_view operator()(const Integrator*) const { return "string"; }
+    std::string_view operator()(const Renderer*) const { return "string"; }
     std::string_view operator()(const std::vector<std::string>*) const { return "array"; }
     std::string_view operator()(const std::vector<StartPets>*) const { return "array"; }
 };
@@ -165,6 +169,9 @@ struct SlotDefault {
     }
     std::string operator()(const Integrator* slot) const {
         return json(integrator_names[static_cast<std::size_t>(*slot)]).dump();
+    }
+    std::string operator()(const Renderer* slot) const {
+        return json(renderer_names[static_cast<std::size_t>(*slot)]).dump();
     }
     std::string operator()(const std::vector<StartPets>* slot) const {
         json list = json::array();

@@ -53,7 +53,14 @@ void Daemon::draw(Ticks now) {
         scripts_.run(engine_, monitors_, world);
         changed_ = engine_.has_events();
     }
-    Staged next = staged(engine_, sets_, world, from_seconds(config_.drowsy_after));
+    Staged next = staged(
+        engine_,
+        sets_,
+        atlas_,
+        {.now = world,
+         .drowsy_after = from_seconds(config_.drowsy_after),
+         .opacity = config_.opacity}
+    );
     if (next.frame != frame_) {
         frame_ = std::move(next.frame);
         desktop_.present(frame_);

@@ -2,6 +2,7 @@
 // From pets to pictures: which cell of which sheet stands where, and until when.
 #pragma once
 
+#include "daemon/core/atlas.h"
 #include "daemon/core/engine.h"
 #include "daemon/core/frame.h"
 #include "daemon/core/sprite_set.h"
@@ -23,9 +24,17 @@ struct Staged {
     Ticks next_change = never;  ///< When the next animation frame begins, if nobody moves.
 };
 
-/// `sets[i]` holds the pictures of `engine.kinds()[i]` and must outlive the frame.
+/// When pets are looked at, and what they look like.
+struct Scene {
+    Ticks now = 0;
+    Ticks drowsy_after = 0;
+    double opacity = 1.0;  ///< Of all pets, above 0.
+};
+
+/// `sets[i]` holds the pictures of `engine.kinds()[i]`. Sets and atlas must outlive the frame,
+/// whose pictures stay until the next call but one.
 Staged staged(
-    const Engine& engine, const std::vector<SpriteSet>& sets, Ticks now, Ticks drowsy_after
+    const Engine& engine, const std::vector<SpriteSet>& sets, Atlas& atlas, const Scene& scene
 );
 
 }  // namespace hyrax
