@@ -131,7 +131,9 @@ std::variant<HeadlessCommandLine, Farewell> parse_headless_arguments(
     app.add_option("--fps", line.fps, "Frames a second instead of the config's")
         ->check(between(1.0, 1000.0));
     app.add_option(
-           "--monitors", line.monitors, "WIDTHxHEIGHT+X+Y[,...]; the first one is the primary"
+           "--monitors",
+           line.monitors,
+           "WIDTHxHEIGHT+X+Y[@SCALE][,...]; the first one is the primary"
     )
         ->capture_default_str();
     app.add_option("--snapshot", raw.snapshot, "Write the last frame to this PNG file");

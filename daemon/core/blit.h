@@ -4,7 +4,11 @@
 
 #include "daemon/core/frame.h"
 #include "daemon/core/image.h"
+#include "physics/batch.h"
 #include "physics/geometry.h"
+
+#include <cstdint>
+#include <span>
 
 namespace hyrax {
 
@@ -24,11 +28,36 @@ struct PixelView {
 /// Sets the part of `area` that lies in the target to transparent.
 void erase(const PixelView& target, Rect area);
 
-/// Draws `source` of the image with its top-left corner at `at`, clipped to `clip` and to the
-/// target. Each channel is rounded to the nearest value, so an opaque pixel replaces the target.
-void blit(const PixelView& target, const Rect& clip, Point at, const Image& image, Rect source);
+/// The blitter's share of available_kernels(): scalar, SSE2, AVX2. They give the same bits.
+std::span<const Kernel> available_blit_kernels();
+/// The quickest of them.
+Kernel best_blit_kernel();
+
+/// A part of a picture, and where it goes.
+struct Stamp {
+    const Image& image;
+    Rect source;                 ///< Within the image.
+    Point at;                    ///< Of the source's top-left corner.
+    std::uint8_t opacity = 255;  ///< 0 draws nothing.
+};
+
+/// Draws the stamp, clipped to `clip` and to the target. Each channel is rounded to the nearest
+/// value, first for the opacity, then for source-over, so an opaque pixel replaces the target.
+void blit(
+    const PixelView& target,
+    const Rect& clip,
+    const Stamp& stamp,
+    Kernel kernel = best_blit_kernel()
+);
 
 /// Redraws `area` (virtual desktop) of a frame into a target whose pixel (0, 0) is `origin`.
-void compose(const PixelView& target, Point origin, const Rect& area, const Frame& frame);
+/// Allocates nothing.
+void compose(
+    const PixelView& target,
+    Point origin,
+    const Rect& area,
+    const Frame& frame,
+    Kernel kernel = best_blit_kernel()
+);
 
 }  // namespace hyrax

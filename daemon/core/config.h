@@ -4,6 +4,7 @@
 
 #include "daemon/core/arena.h"
 #include "daemon/core/engine.h"
+#include "daemon/core/frame.h"
 #include "daemon/core/presence.h"
 #include "daemon/core/result.h"
 
@@ -32,6 +33,8 @@ struct Config {
     double fps = 60.0;                ///< Frames a second while something moves, 1 to 1000.
     FloorEdge floor = FloorEdge::work_area;
     PresenceSettings presence{};
+    double opacity = 1.0;  ///< Of all pets, least_opacity to 1.
+    Renderer renderer = Renderer::blit;
     std::vector<std::string> scripts{"*.lua"};  ///< Names in the scripts folder; * and ? match.
     std::string log_level = "info";             ///< trace, debug, info, warn, error or off.
     bool operator==(const Config&) const = default;

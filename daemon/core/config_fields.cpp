@@ -22,7 +22,7 @@ constexpr std::array config_keys{
     },
     Field<Config>{
         "/physics/integrator",
-        [](Config& c) -> Slot { return &c.engine.integrator; },
+        [](Config& c) -> Slot { return Choice(c.engine.integrator); },
         {},
         "",
         "How motion is computed. event_driven is exact at any frame rate; semi_implicit_euler is "
@@ -135,6 +135,21 @@ constexpr std::array config_keys{
         "A pet that has not moved for this time lies down."
     },
     Field<Config>{
+        "/pets/scale",
+        [](Config& c) -> Slot { return &c.engine.scale; },
+        {least_scale, most_scale},
+        "",
+        "How large pets are, beside the scale of their kind and their own. Pixel art takes the "
+        "nearest whole number."
+    },
+    Field<Config>{
+        "/pets/scale_with_dpi",
+        [](Config& c) -> Slot { return &c.engine.scale_with_dpi; },
+        {},
+        "",
+        "Whether pets grow with the scaling that the system sets for their screen."
+    },
+    Field<Config>{
         "/overlay/fps",
         [](Config& c) -> Slot { return &c.fps; },
         {1, 1000},
@@ -143,7 +158,7 @@ constexpr std::array config_keys{
     },
     Field<Config>{
         "/overlay/floor",
-        [](Config& c) -> Slot { return &c.floor; },
+        [](Config& c) -> Slot { return Choice(c.floor); },
         {},
         "",
         "What pets stand on: the top of the taskbar (work_area) or the edge of the screen "
@@ -152,7 +167,7 @@ constexpr std::array config_keys{
     },
     Field<Config>{
         "/overlay/fullscreen",
-        [](Config& c) -> Slot { return &c.presence.full_screen; },
+        [](Config& c) -> Slot { return Choice(c.presence.full_screen); },
         {},
         "",
         "What pets do on a screen that another program fills: hide (they wait, unseen), pause "
@@ -183,7 +198,7 @@ constexpr std::array config_keys{
     },
     Field<Config>{
         "/overlay/on_resume",
-        [](Config& c) -> Slot { return &c.presence.on_resume; },
+        [](Config& c) -> Slot { return Choice(c.presence.on_resume); },
         {},
         "",
         "After the machine slept or the screen was locked: pets go on from where they were (go_on) "
@@ -192,7 +207,7 @@ constexpr std::array config_keys{
     },
     Field<Config>{
         "/overlay/reduced_motion",
-        [](Config& c) -> Slot { return &c.presence.reduced_motion; },
+        [](Config& c) -> Slot { return Choice(c.presence.reduced_motion); },
         {},
         "",
         "on: pets sit still unless they are thrown. auto asks the system whether animations are "
@@ -205,6 +220,22 @@ constexpr std::array config_keys{
         {},
         "",
         "Leaves pets out of screenshots, recordings and shared screens."
+    },
+    Field<Config>{
+        "/overlay/opacity",
+        [](Config& c) -> Slot { return &c.opacity; },
+        {least_opacity, 1},
+        "",
+        "How opaque the pets are: at 1 nothing shines through them."
+    },
+    Field<Config>{
+        "/overlay/renderer",
+        [](Config& c) -> Slot { return Choice(c.renderer); },
+        {},
+        "",
+        "Who draws the frames: hyrax itself (blit), or GDI+ (gdiplus), which is many times slower "
+        "and there to compare.",
+        renderer_names
     },
     Field<Config>{
         "/scripts/run",
@@ -279,7 +310,7 @@ constexpr std::array full_screen_rule_keys{
     },
     Field<FullScreenRule>{
         "/do",
-        [](FullScreenRule& r) -> Slot { return &r.act; },
+        [](FullScreenRule& r) -> Slot { return Choice(r.act); },
         {},
         "",
         "As in fullscreen; hide_everywhere removes every window of hyrax as long as the program is "

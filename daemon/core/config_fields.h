@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -29,6 +30,8 @@ inline constexpr std::array<std::string_view, 2> resume_names{"go_on", "catch_up
 
 /// In the order of ReducedMotion.
 inline constexpr std::array<std::string_view, 3> motion_names{"auto", "on", "off"};
+/// In the order of Renderer.
+inline constexpr std::array<std::string_view, 2> renderer_names{"blit", "gdiplus"};
 
 /// In the order of Integrator.
 inline constexpr std::array<std::string_view, 6> integrator_names{
@@ -50,20 +53,39 @@ struct StartItem {
 /// The place of a key that only editors read.
 struct Ignored {};
 
+/// The place of an enumerator that goes by a name: the field's choices[i] stands for the value i.
+class Choice {
+public:
+    template <typename Enum>
+        requires std::is_enum_v<Enum>
+    explicit Choice(Enum& place)
+        : place_(&place),
+          index_([](const void* value) {
+              return static_cast<std::size_t>(*static_cast<const Enum*>(value));
+          }),
+          set_([](void* value, std::size_t index) {
+              *static_cast<Enum*>(value) = static_cast<Enum>(index);
+          }) {}
+
+    std::size_t index() const { return index_(place_); }
+    void set(std::size_t index) const { set_(place_, index); }
+
+private:
+    void* place_;
+    std::size_t (*index_)(const void*);
+    void (*set_)(void*, std::size_t);
+};
+
 /// Where a value goes; the type decides how it is read.
 using Slot = std::variant<
     Ignored,
-    bool*,
     double*,
     std::optional<double>*,
+    bool*,
     int*,
     std::size_t*,
     std::string*,
-    FloorEdge*,
-    Integrator*,
-    FullScreenAct*,
-    OnResume*,
-    ReducedMotion*,
+    Choice,
     std::vector<std::string>*,
     std::vector<StartPets>*,
     std::vector<FullScreenRule>*>;

@@ -74,11 +74,12 @@ struct SlotReader {
     void operator()(std::string* slot) const {
         assign(*slot, field.choices.empty() ? value.name() : value.choice(field.choices));
     }
-    void operator()(FloorEdge* slot) const { choose(*slot); }
-    void operator()(Integrator* slot) const { choose(*slot); }
-    void operator()(FullScreenAct* slot) const { choose(*slot); }
-    void operator()(OnResume* slot) const { choose(*slot); }
-    void operator()(ReducedMotion* slot) const { choose(*slot); }
+    void operator()(Choice slot) const {
+        if (const std::optional<std::string> name = value.choice(field.choices)) {
+            const auto found = std::ranges::find(field.choices, *name);
+            slot.set(static_cast<std::size_t>(found - field.choices.begin()));
+        }
+    }
     void operator()(std::vector<std::string>* slot) const {
         fill(*slot, [](const JsonValue& item) { return item.path_pattern(); });
     }
@@ -86,15 +87,6 @@ struct SlotReader {
     void operator()(std::vector<FullScreenRule>* slot) const { fill(*slot, read_full_screen_rule); }
 
 private:
-    // The names stand in the order of the enumeration.
-    void choose(auto& slot) const {
-        if (const std::optional<std::string> name = value.choice(field.choices)) {
-            const auto found = std::ranges::find(field.choices, *name);
-            slot =
-                static_cast<std::remove_reference_t<decltype(slot)>>(found - field.choices.begin());
-        }
-    }
-
     std::optional<int> whole() const {
         return value.whole_number(
             static_cast<int>(field.range.low), static_cast<int>(field.range.high)
@@ -166,34 +158,18 @@ struct SlotType {
     std::string_view operator()(const int*) const { return "integer"; }
     std::string_view operator()(const std::size_t*) const { return "integer"; }
     std::string_view operator()(const std::string*) const { return "string"; }
-    std::string_view operator()(const FloorEdge*) const { return "string"; }
-    std::string_view operator()(const Integrator*) const { return "string"; }
-    std::string_view operator()(const FullScreenAct*) const { return "string"; }
-    std::string_view operator()(const OnResume*) const { return "string"; }
-    std::string_view operator()(const ReducedMotion*) const { return "string"; }
+    std::string_view operator()(const Choice&) const { return "string"; }
     std::string_view operator()(const std::vector<std::string>*) const { return "array"; }
     std::string_view operator()(const std::vector<StartPets>*) const { return "array"; }
     std::string_view operator()(const std::vector<FullScreenRule>*) const { return "array"; }
 };
 
 struct SlotDefault {
+    std::span<const std::string_view> choices;
+
     std::string operator()(Ignored) const { return {}; }
     std::string operator()(const std::optional<double>*) const { return {}; }
-    std::string operator()(const FloorEdge* slot) const {
-        return json(floor_names[static_cast<std::size_t>(*slot)]).dump();
-    }
-    std::string operator()(const Integrator* slot) const {
-        return json(integrator_names[static_cast<std::size_t>(*slot)]).dump();
-    }
-    std::string operator()(const FullScreenAct* slot) const {
-        return json(full_screen_names[static_cast<std::size_t>(*slot)]).dump();
-    }
-    std::string operator()(const OnResume* slot) const {
-        return json(resume_names[static_cast<std::size_t>(*slot)]).dump();
-    }
-    std::string operator()(const ReducedMotion* slot) const {
-        return json(motion_names[static_cast<std::size_t>(*slot)]).dump();
-    }
+    std::string operator()(const Choice& slot) const { return json(choices[slot.index()]).dump(); }
     // Empty in a fresh Config.
     std::string operator()(const std::vector<FullScreenRule>*) const { return "[]"; }
     std::string operator()(const std::vector<StartPets>* slot) const {
@@ -219,7 +195,7 @@ void describe(
              .low = field.range.low,
              .high = field.range.high,
              .choices = {field.choices.begin(), field.choices.end()},
-             .default_value = std::visit(SlotDefault{}, slot),
+             .default_value = std::visit(SlotDefault{field.choices}, slot),
              .unit = std::string(field.unit),
              .description = std::string(field.description)}
         );

@@ -63,8 +63,15 @@ void Daemon::draw(Ticks now) {
     }
     Staged next;
     if (!so.windowless) {
-        const Liveliness liveliness = so.calm ? Liveliness::calm : Liveliness::lively;
-        next = staged(engine_, sets_, world, from_seconds(config_.drowsy_after), liveliness);
+        next = staged(
+            engine_,
+            sets_,
+            atlas_,
+            {.now = world,
+             .drowsy_after = from_seconds(config_.drowsy_after),
+             .opacity = config_.opacity,
+             .calm = so.calm}
+        );
         next.frame.kept_free = so.kept_free;
     }
     if (next.frame != frame_) {

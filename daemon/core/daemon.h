@@ -2,6 +2,7 @@
 // The daemon: events in, frames out. Everything it knows of the machine is a Desktop.
 #pragma once
 
+#include "daemon/core/atlas.h"
 #include "daemon/core/config.h"
 #include "daemon/core/desktop.h"
 #include "daemon/core/engine.h"
@@ -92,6 +93,7 @@ private:
     Config config_;
     std::optional<Config> last_read_;  ///< As it stood in the file.
     std::vector<SpriteSet> sets_;
+    Atlas atlas_;
     Engine engine_;
     ScriptBridge scripts_;
     std::optional<Trace> trace_;

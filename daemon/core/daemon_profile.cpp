@@ -46,6 +46,7 @@ void Daemon::read_config() {
         config_.fps
     );
     use_presence_settings();
+    desktop_.use_renderer(config_.renderer);
     if (floor_moved) {
         use_monitors();
     }
@@ -60,6 +61,7 @@ void Daemon::read_kinds() {
     // Frames point into the old sets: nobody may still show one.
     frame_ = {};
     desktop_.present(frame_);
+    atlas_.clear();
     sets_ = std::move(loaded.sets);
     engine_.set_kinds(kinds_of(sets_));
 }

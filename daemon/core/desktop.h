@@ -94,6 +94,8 @@ public:
     /// Shows the frame, or as much of it as differs from the one before. Its images stay as they
     /// are until the next call.
     virtual void present(const Frame& frame) = 0;
+    /// Who draws the frames from now on; the first one, too.
+    virtual void use_renderer(Renderer renderer) = 0;
     /// May be empty for a moment while screens change.
     virtual std::vector<Monitor> monitors() = 0;
     /// Called when the status has changed.

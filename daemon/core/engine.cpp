@@ -76,8 +76,11 @@ Result<PetId> Engine::spawn(const SpawnOptions& options) {
             return std::unexpected(checked.error());
         }
     }
-    if (const auto checked = require_scale(options.scale, "spawn"); !checked) {
-        return std::unexpected(checked.error());
+    for (const auto& checked :
+         {require_scale(options.scale, "spawn"), require_opacity(options.opacity, "spawn")}) {
+        if (!checked) {
+            return std::unexpected(checked.error());
+        }
     }
 
     Pet pet;
@@ -85,6 +88,7 @@ Result<PetId> Engine::spawn(const SpawnOptions& options) {
     pet.owner = options.owner;
     pet.tag = options.tag;
     pet.scale = options.scale;
+    pet.opacity = options.opacity;
     const Vec2 at = options.at ? *options.at : random_entrance();
     size_up(pet, at);
     place(pet, at);

@@ -23,17 +23,19 @@ namespace hyrax {
 /// A sort of pet, as far as its motion depends on it.
 struct Kind {
     std::string name;
-    Size box;                  ///< What meets walls and floor at scale 1 [px], positive.
-    double scale = 1.0;        ///< least_scale to most_scale.
-    bool whole_scale = false;  ///< Pixel art: all scales together are rounded to 1, 2, 3 ...
+    Size box;                    ///< What meets walls and floor at scale 1 [px], positive.
+    double scale = 1.0;          ///< least_scale to most_scale.
+    bool whole_scale = false;    ///< Pixel art: all scales together are rounded to 1, 2, 3 ...
+    double largest_scale = 8.0;  ///< All scales together are held below: its pictures are large.
 };
 
 /// Of a pet, of a kind, of the settings.
 inline constexpr double least_scale = 0.25;
 inline constexpr double most_scale = 4.0;
-/// All scales together are held within these.
+/// Fainter, a pet could be lost.
+inline constexpr double least_opacity = 0.1;
+/// All scales together are held above this.
 inline constexpr double least_drawn_scale = 0.125;
-inline constexpr double most_drawn_scale = 8.0;
 
 struct EngineSettings {
     PhysicsConstants physics{};
@@ -65,11 +67,15 @@ struct SpawnOptions {
     Vec2 velocity{};           ///< [px/s]
     std::string owner = "user";
     std::string tag{};
-    double scale = 1.0;  ///< least_scale to most_scale
+    double scale = 1.0;    ///< least_scale to most_scale
+    double opacity = 1.0;  ///< least_opacity to 1
 };
 
 /// Fails on a scale that is not from least_scale to most_scale; the message names the verb.
 [[nodiscard]] Result<void> require_scale(double scale, std::string_view verb);
+
+/// The same for an opacity that is not from least_opacity to 1.
+[[nodiscard]] Result<void> require_opacity(double opacity, std::string_view verb);
 
 /// To whole pixels, at least one a side.
 Size scaled(Size size, double scale);
@@ -98,6 +104,8 @@ public:
     /// least_scale to most_scale. The feet, which are the middle of the box's bottom edge, stay
     /// where they are, or as near as the arena allows; a held pet's in any case.
     [[nodiscard]] Result<void> set_scale(PetId id, double scale);
+    /// least_opacity to 1, beside that of the settings.
+    [[nodiscard]] Result<void> set_opacity(PetId id, double opacity);
 
     /// Picks a pet up: a spring pulls it to where carry() says, until let_go(). Times are the
     /// hand's own: they go on while the pets' time is paused.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How large a pet is: its own scale, its kind's, the settings' and that of its screen. Whatever
-// changes them, the feet stay where they are.
+// How large and how opaque a pet is. Of the size: its own scale, its kind's, the settings' and that
+// of its screen. Whatever changes them, the feet stay where they are.
 #include "daemon/core/engine.h"
 
 #include <fmt/format.h>
@@ -17,6 +17,15 @@ Result<void> require_scale(double scale, std::string_view verb) {
     return failure(fmt::format(
         "{}: expected a scale from {} to {}, got {}", verb, least_scale, most_scale, scale
     ));
+}
+
+Result<void> require_opacity(double opacity, std::string_view verb) {
+    if (opacity >= least_opacity && opacity <= 1.0) {
+        return {};
+    }
+    return failure(
+        fmt::format("{}: expected an opacity from {} to 1, got {}", verb, least_opacity, opacity)
+    );
 }
 
 Size scaled(Size size, double scale) {
@@ -41,15 +50,26 @@ Result<void> Engine::set_scale(PetId id, double scale) {
     return {};
 }
 
+Result<void> Engine::set_opacity(PetId id, double opacity) {
+    Pet* const pet = pets_.find(id);
+    if (pet == nullptr) {
+        return failure("set_opacity: this pet is gone");
+    }
+    if (auto checked = require_opacity(opacity, "set_opacity"); !checked) {
+        return checked;
+    }
+    pet->opacity = opacity;
+    return {};
+}
+
 Size Engine::usual_box(const Kind& kind) const {
     return scaled(kind.box, drawn_scale(kind, 1.0));
 }
 
 double Engine::drawn_scale(const Kind& kind, double more) const {
-    const double all = settings_.scale * kind.scale * more;
-    return std::clamp(
-        kind.whole_scale ? std::max(1.0, std::round(all)) : all, least_drawn_scale, most_drawn_scale
-    );
+    const double all =
+        std::clamp(settings_.scale * kind.scale * more, least_drawn_scale, kind.largest_scale);
+    return kind.whole_scale ? std::max(1.0, std::round(all)) : all;
 }
 
 double Engine::drawn_scale(const Pet& pet) const {

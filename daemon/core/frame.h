@@ -6,6 +6,7 @@
 #include "daemon/core/pet.h"
 #include "physics/geometry.h"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct Sprite {
     Rect source;  ///< Within the image.
     Point at;     ///< Of the source's top-left corner, virtual desktop [px].
     PetId pet;
+    std::uint8_t opacity = 255;  ///< Of the whole sprite, above 0.
 
     Rect bounds() const { return {at.x, at.y, source.width, source.height}; }
     bool operator==(const Sprite&) const = default;
@@ -28,6 +30,12 @@ struct Frame {
     /// Bounds of the monitors that show nothing of it: no window may be there.
     std::vector<Rect> kept_free{};
     bool operator==(const Frame&) const = default;
+};
+
+/// Who draws frames into pixels.
+enum class Renderer : std::uint8_t {
+    blit,     ///< blit.h
+    gdiplus,  ///< GDI+, on Windows; elsewhere the same as blit.
 };
 
 /// The topmost pet with a visible pixel at the point.

@@ -30,6 +30,7 @@ struct Pet {
     double scale = 1.0;        ///< Its own, 0.25 to 4.
     double drawn_scale = 1.0;  ///< With the scales of its kind, of the settings and of its screen.
     std::size_t space = 0;     ///< Index into the engine's Spaces, by the size of its box.
+    double opacity = 1.0;      ///< 0.1 to 1, beside that of all pets.
     std::size_t screen = 0;    ///< Index of the arena's box whose scale counts.
     Motion motion = Motion::airborne;
     Ticks since = 0;          ///< When this motion began.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "daemon/core/image.h"
+#include "daemon/core/resample.h"
 #include "daemon/core/result.h"
 #include "physics/ticks.h"
 
@@ -44,7 +45,9 @@ struct SpriteSet {
     Image sheet;     ///< As drawn, facing right.
     Image mirrored;  ///< The same sheet with each cell mirrored in place.
     Size cell;
-    Rect box;  ///< Within the cell: what meets walls and floor.
+    Rect box;                        ///< Within the cell: what meets walls and floor.
+    double scale = 1.0;              ///< least_scale to most_scale (engine.h).
+    Filter filter = Filter::smooth;  ///< For other sizes than its own.
     std::map<std::string, Animation, std::less<>> animations;
 
     /// The cell's rectangle in the sheet.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sprite.json and its sheet.
 #include "daemon/core/checked_json.h"
+#include "daemon/core/engine.h"
 #include "daemon/core/files.h"
 #include "daemon/core/sprite_set.h"
 
@@ -22,8 +23,8 @@ constexpr std::size_t max_json_bytes = 1U << 20U;
 constexpr std::size_t max_frames = 1000;  // in one animation
 constexpr int max_frame_ms = 600'000;
 
-// Fainter pixels cannot be seen, but would catch clicks.
-constexpr unsigned least_alpha = 8;
+// In the order of Filter.
+constexpr std::array<std::string_view, 2> filter_names{"smooth", "nearest"};
 
 using Keys = std::initializer_list<std::string_view>;
 
@@ -49,7 +50,16 @@ public:
         set.name = std::move(folder_name);
         if (root_.is_object()) {
             refuse_misspelt_keys(
-                root_, {"$schema", "name", "sheet", "cell", "anchor", "box", "animations"}
+                root_,
+                {"$schema",
+                 "name",
+                 "sheet",
+                 "cell",
+                 "anchor",
+                 "box",
+                 "scale",
+                 "filter",
+                 "animations"}
             );
             if (const auto name = root_.member("name")) {
                 set.name = name->name().value_or("");
@@ -58,6 +68,7 @@ public:
                 sheet_ = sheet->relative_path().value_or("");
             }
             read_cell(set);
+            read_scaling(set);
             read_animations(set);
         }
         if (problems_.has_errors()) {
@@ -135,6 +146,16 @@ private:
         const auto height = whole(*box, "height", 1, set.cell.height - y.value_or(0));
         if (x && y && width && height) {
             set.box = {*x, *y, *width, *height};
+        }
+    }
+
+    void read_scaling(SpriteSet& set) {
+        if (const auto scale = root_.member("scale")) {
+            set.scale = scale->number(least_scale, most_scale).value_or(1.0);
+        }
+        if (const auto filter = root_.member("filter")) {
+            const auto name = filter->choice(filter_names);
+            set.filter = name == filter_names[1] ? Filter::nearest : Filter::smooth;
         }
     }
 

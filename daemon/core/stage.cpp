@@ -48,14 +48,24 @@ Shown calm_pose(const SpriteSet& set, Ticks elapsed, Ticks drowsy_after) {
                                   : Shown{rest->second.frames.back().cell, never};
 }
 
-// The pet's box stands where physics says; the cell hangs around it.
-Point cell_corner(const SpriteSet& set, const Pet& pet) {
-    const Vec2 box = pet.position();
-    const int inset = pet.faces_left ? set.cell.width - set.box.x - set.box.width : set.box.x;
+// The pet's box stands where physics says; the cell hangs around it, feet on feet: both were
+// rounded to whole pixels on their own.
+Point cell_corner(const SpriteSet& set, const Pet& pet, Size box, Size cell) {
+    const double across = static_cast<double>(cell.width) / set.cell.width;
+    const double down = static_cast<double>(cell.height) / set.cell.height;
+    const double middle = set.box.x + set.box.width / 2.0;
+    const double feet_x = (pet.faces_left ? set.cell.width - middle : middle) * across;
+    const double feet_y = set.box.bottom() * down;
+    const Vec2 at = pet.position();
     return {
-        static_cast<int>(std::lround(box.x)) - inset,
-        static_cast<int>(std::lround(box.y)) - set.box.y,
+        static_cast<int>(std::lround(at.x) - std::lround(feet_x - box.width / 2.0)),
+        static_cast<int>(std::lround(at.y) - std::lround(feet_y - box.height)),
     };
+}
+
+// Fainter, a pet could be lost; and what cannot be seen must not catch clicks.
+std::uint8_t opacity_of(double share) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(share, least_opacity, 1.0) * 255.0));
 }
 
 }  // namespace
@@ -63,7 +73,14 @@ Point cell_corner(const SpriteSet& set, const Pet& pet) {
 std::vector<Kind> kinds_of(const std::vector<SpriteSet>& sets) {
     std::vector<Kind> kinds;
     for (const SpriteSet& set : sets) {
-        kinds.push_back({set.name, {set.box.width, set.box.height}});
+        const int side = std::max(set.cell.width, set.cell.height);
+        kinds.push_back({
+            .name = set.name,
+            .box = {set.box.width, set.box.height},
+            .scale = set.scale,
+            .whole_scale = set.filter == Filter::nearest,
+            .largest_scale = std::clamp(2048.0 / side, 1.0, 8.0),
+        });
     }
     return kinds;
 }
@@ -81,25 +98,25 @@ Shown pose(const SpriteSet& set, Motion motion, Ticks elapsed, Ticks drowsy_afte
 }
 
 Staged staged(
-    const Engine& engine,
-    const std::vector<SpriteSet>& sets,
-    Ticks now,
-    Ticks drowsy_after,
-    Liveliness liveliness
+    const Engine& engine, const std::vector<SpriteSet>& sets, Atlas& atlas, const Scene& scene
 ) {
     Staged result;
     result.frame.sprites.reserve(engine.size());
+    atlas.begin_frame();
     engine.for_each([&](PetId id, const Pet& pet) {
         const SpriteSet& set = sets[pet.kind];
-        const Ticks elapsed = std::max<Ticks>(0, std::min(now, pet.frozen_at) - pet.since);
-        const bool calm = liveliness == Liveliness::calm && pet.motion == Motion::settled;
-        const Shown shown = calm ? calm_pose(set, elapsed, drowsy_after)
-                                 : pose(set, pet.motion, elapsed, drowsy_after);
+        const Ticks elapsed = std::max<Ticks>(0, std::min(scene.now, pet.frozen_at) - pet.since);
+        const bool calm = scene.calm && pet.motion == Motion::settled;
+        const Shown shown = calm ? calm_pose(set, elapsed, scene.drowsy_after)
+                                 : pose(set, pet.motion, elapsed, scene.drowsy_after);
+        const Size size = scaled(set.cell, pet.drawn_scale);
+        const CellPicture picture = atlas.cell(set, pet.kind, shown.cell, pet.faces_left, size);
         result.frame.sprites.push_back({
-            .image = pet.faces_left ? &set.mirrored : &set.sheet,
-            .source = set.cell_rect(shown.cell),
-            .at = cell_corner(set, pet),
+            .image = picture.image,
+            .source = picture.source,
+            .at = cell_corner(set, pet, engine.box_of(pet), size),
             .pet = id,
+            .opacity = opacity_of(scene.opacity * pet.opacity),
         });
         if (shown.until != never && !pet.frozen()) {
             result.next_change = std::min(result.next_change, pet.since + shown.until);

@@ -2,6 +2,7 @@
 // From pets to pictures: which cell of which sheet stands where, and until when.
 #pragma once
 
+#include "daemon/core/atlas.h"
 #include "daemon/core/engine.h"
 #include "daemon/core/frame.h"
 #include "daemon/core/sprite_set.h"
@@ -23,19 +24,18 @@ struct Staged {
     Ticks next_change = never;  ///< When the next animation frame begins, if nobody moves.
 };
 
-enum class Liveliness {
-    lively,
-    calm,  ///< Animations of pets on the ground stand still.
+/// When pets are looked at, and what they look like.
+struct Scene {
+    Ticks now = 0;
+    Ticks drowsy_after = 0;
+    double opacity = 1.0;  ///< Of all pets, above 0.
+    bool calm = false;     ///< Animations of pets on the ground stand still.
 };
 
-/// `sets[i]` holds the pictures of `engine.kinds()[i]` and must outlive the frame. Frozen pets
-/// keep the pose that they had.
+/// `sets[i]` holds the pictures of `engine.kinds()[i]`. Sets and atlas must outlive the frame,
+/// whose pictures stay until the next call but one. Frozen pets keep the pose that they had.
 Staged staged(
-    const Engine& engine,
-    const std::vector<SpriteSet>& sets,
-    Ticks now,
-    Ticks drowsy_after,
-    Liveliness liveliness = Liveliness::lively
+    const Engine& engine, const std::vector<SpriteSet>& sets, Atlas& atlas, const Scene& scene
 );
 
 }  // namespace hyrax

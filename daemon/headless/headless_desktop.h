@@ -31,12 +31,15 @@ public:
     Ticks now() override { return now_; }
     std::vector<Input> wait(Ticks deadline) override;
     void present(const Frame& frame) override;
+    /// Frames are remembered, not drawn.
+    void use_renderer(Renderer renderer) override { renderer_ = renderer; }
     std::vector<Monitor> monitors() override { return monitors_; }
     void show_status(const Status& status) override { statuses_.push_back(status); }
 
     void follow(const Conduct& conduct) override { conduct_ = conduct; }
 
     const Conduct& conduct() const { return conduct_; }
+    Renderer renderer() const { return renderer_; }
     const Frame& last_frame() const { return frame_; }
     std::size_t presents() const { return presents_; }
     /// How often wait() came back because its deadline had come.
@@ -50,6 +53,7 @@ private:
     Ticks now_ = 0;
     Ticks end_;
     Frame frame_;
+    Renderer renderer_ = Renderer::blit;
     std::size_t presents_ = 0;
     std::size_t timer_wakeups_ = 0;
     std::vector<Status> statuses_;

@@ -50,17 +50,35 @@ std::optional<Rect> parse_rect(std::string_view text) {
     return in_range ? std::optional(Rect{*x, *y, *width, *height}) : std::nullopt;
 }
 
+// Takes "@1.5" off the end of the text.
+std::optional<double> take_scale(std::string_view& text) {
+    const std::size_t at = text.find('@');
+    if (at == std::string_view::npos) {
+        return 1.0;
+    }
+    const std::string_view number = text.substr(at + 1);
+    text = text.substr(0, at);
+    double scale = 0.0;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), scale);
+    const bool whole = error == std::errc() && end == number.data() + number.size();
+    return whole && scale >= 0.5 && scale <= 5.0 ? std::optional(scale) : std::nullopt;
+}
+
 }  // namespace
 
 Result<std::vector<Monitor>> parse_monitors(std::string_view text) {
     std::vector<Monitor> monitors;
     while (!text.empty()) {
-        const std::string_view one = text.substr(0, text.find(','));
+        std::string_view one = text.substr(0, text.find(','));
+        const std::string_view given = one;
         text.remove_prefix(std::min(one.size() + 1, text.size()));
+        const std::optional<double> scale = take_scale(one);
         const std::optional<Rect> rect = parse_rect(one);
-        if (!rect) {
+        if (!rect || !scale) {
             return failure(fmt::format(
-                "--monitors: expected WIDTHxHEIGHT+X+Y (such as 1920x1080+0+0), got \"{}\"", one
+                "--monitors: expected WIDTHxHEIGHT+X+Y (such as 1920x1080+0+0) or "
+                "WIDTHxHEIGHT+X+Y@SCALE, got \"{}\"",
+                given
             ));
         }
         monitors.push_back({
@@ -68,6 +86,7 @@ Result<std::vector<Monitor>> parse_monitors(std::string_view text) {
             .work = *rect,
             .primary = monitors.empty(),
             .name = fmt::format("monitor {}", monitors.size() + 1),
+            .scale = *scale,
         });
     }
     return monitors;

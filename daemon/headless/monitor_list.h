@@ -10,9 +10,10 @@
 
 namespace hyrax {
 
-/// "1920x1080+0+0,1600x900-1600-200": width, height and the top-left corner of each monitor [px].
-/// The first one is the primary; sides from 1 to 32768, corners within +-100000. Work areas fill
-/// their monitors. An empty text means no monitor.
+/// "1920x1080+0+0,3200x1800-3200-200@1.5": width, height and the top-left corner of each monitor
+/// [px], and its scale, which is 1 where none is given. The first one is the primary; sides from 1
+/// to 32768, corners within +-100000, scales from 0.5 to 5. Work areas fill their monitors. An
+/// empty text means no monitor.
 [[nodiscard]] Result<std::vector<Monitor>> parse_monitors(std::string_view text);
 
 }  // namespace hyrax

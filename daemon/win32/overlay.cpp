@@ -6,6 +6,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace hyrax::win32 {
 
@@ -42,7 +43,7 @@ void Overlay::present(const Frame& frame, std::span<const Monitor> monitors, Tic
     for (const Pane& pane : plan_) {
         if (PaneWindow* const window = window_on(pane.monitor)) {
             const auto dirty = dirty_clusters(changed, pane.area, cost_on(pane.area, wine_));
-            window->show(pane.area, frame, dirty, counters_);
+            window->show({pane.area, frame, dirty, renderer_}, counters_);
         }
     }
     frame_ = frame;
@@ -99,6 +100,16 @@ PaneWindow* Overlay::window_on(const Rect& monitor) {
     }
     windows_.push_back(std::move(*created));
     return windows_.back().get();
+}
+
+void Overlay::use_renderer(Renderer renderer) {
+    if (std::exchange(renderer_, renderer) == renderer) {
+        return;
+    }
+    undrawn_ = true;
+    for (const auto& window : windows_) {
+        window->forget_pixels();
+    }
 }
 
 void Overlay::forget_pixels() {

@@ -25,6 +25,8 @@ public:
     /// Shows once more what the latest present() has drawn; needs none of its images.
     void present_again(std::span<const Monitor> monitors, Ticks now);
 
+    /// Draws everything anew with another one.
+    void use_renderer(Renderer renderer);
     /// Everything has to be drawn anew: screens have changed.
     void forget_pixels();
 
@@ -48,6 +50,7 @@ private:
     std::vector<std::unique_ptr<PaneWindow>> windows_;
     std::vector<Pane> plan_;
     Frame frame_;
+    Renderer renderer_ = Renderer::blit;
     HWND held_ = nullptr;
     bool stale_ = false;    ///< A window must be presented, hidden or removed at once.
     bool undrawn_ = false;  ///< The next present() must draw even an equal frame.

@@ -2,6 +2,7 @@
 #include "daemon/win32/pane_window.h"
 
 #include "daemon/core/blit.h"
+#include "daemon/win32/gdiplus_renderer.h"
 
 #include <spdlog/spdlog.h>
 
@@ -15,6 +16,15 @@ namespace {
 constexpr DWORD pane_style = WS_EX_LAYERED | WS_EX_TOPMOST | WS_EX_TOOLWINDOW | WS_EX_NOACTIVATE;
 
 constexpr const wchar_t* not_rude = L"NonRudeHWND";
+
+void draw(const PixelView& target, const PanePicture& picture, const Rect& part) {
+    const Point origin{picture.area.x, picture.area.y};
+    if (picture.renderer == Renderer::gdiplus) {
+        compose_with_gdiplus(target, origin, part, picture.frame);
+    } else {
+        compose(target, origin, part, picture.frame);
+    }
+}
 
 }  // namespace
 
@@ -41,9 +51,8 @@ PaneWindow::~PaneWindow() {
     }
 }
 
-void PaneWindow::show(
-    const Rect& area, const Frame& frame, std::span<const Rect> dirty, OverlayCounters& counters
-) {
+void PaneWindow::show(const PanePicture& picture, OverlayCounters& counters) {
+    const Rect& area = picture.area;
     const Size size{area.width, area.height};
     blank_ = false;
     if (!complete_ || area != area_) {
@@ -55,15 +64,15 @@ void PaneWindow::show(
             return;
         }
         area_ = area;
-        compose(surface_.view(size), {area.x, area.y}, area, frame);
+        draw(surface_.view(size), picture, area);
         complete_ = present(nullptr, counters);
         if (!complete_) {
             renew_layer();
             complete_ = present(nullptr, counters);
         }
     } else {
-        for (const Rect& part : dirty) {
-            compose(surface_.view(size), {area.x, area.y}, part, frame);
+        for (const Rect& part : picture.dirty) {
+            draw(surface_.view(size), picture, part);
             complete_ = present(&part, counters) && complete_;
         }
     }

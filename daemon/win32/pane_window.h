@@ -24,6 +24,14 @@ struct OverlayCounters {
     std::uint64_t failures = 0;  ///< Of presents.
 };
 
+/// What a pane is to show.
+struct PanePicture {
+    const Rect& area;  ///< Within the monitor: this part of the frame.
+    const Frame& frame;
+    std::span<const Rect> dirty;
+    Renderer renderer = Renderer::blit;
+};
+
 class PaneWindow {
 public:
     /// `monitor` bounds the window for its whole life.
@@ -39,11 +47,9 @@ public:
     HWND window() const { return window_.raw(); }
     bool visible() const { return visible_; }
 
-    /// Shows the part of the frame that lies in `area` (within the monitor). If the window already
-    /// shows this area, only the `dirty` rectangles are drawn and presented.
-    void show(
-        const Rect& area, const Frame& frame, std::span<const Rect> dirty, OverlayCounters& counters
-    );
+    /// Shows the picture. If the window already shows its area, only the dirty rectangles are drawn
+    /// and presented.
+    void show(const PanePicture& picture, OverlayCounters& counters);
     /// Presents the pixels that show() has drawn, or those of them in a smaller area. False if
     /// there are none.
     bool show_again(const Rect& area, OverlayCounters& counters);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/win32/screens.h"
 
+#include "daemon/win32/monitor_scale.h"
 #include "daemon/win32/text.h"
 
 #include <algorithm>
@@ -30,6 +31,7 @@ BOOL CALLBACK add_monitor(HMONITOR handle, HDC, RECT*, LPARAM list) noexcept {
             .work = rect_from(info.rcWork),
             .primary = (info.dwFlags & MONITORINFOF_PRIMARY) != 0,
             .name = utf8(info.szDevice),
+            .scale = monitor_scale(handle),
         });
     } catch (const std::exception&) {
         return FALSE;

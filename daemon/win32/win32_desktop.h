@@ -56,6 +56,7 @@ public:
     Ticks now() override;
     std::vector<Input> wait(Ticks deadline) override;
     void present(const Frame& frame) override;
+    void use_renderer(Renderer renderer) override { overlay_.use_renderer(renderer); }
     std::vector<Monitor> monitors() override;
     void show_status(const Status& status) override;
 

@@ -82,7 +82,8 @@ TEST_CASE("the box stands where physics says, mirrored or not") {
     const auto id = engine.spawn({.at = Vec2{20.4, 30.6}, .velocity = {60.0, 0.0}});
     REQUIRE(id);
     engine.advance(0);
-    Staged right = staged(engine, sets, 0, 0);
+    Atlas atlas;
+    Staged right = staged(engine, sets, atlas, {});
     REQUIRE(right.frame.sprites.size() == 1);
     CHECK(right.frame.sprites[0].at == Point{20 - 1, 31 - 3});
     CHECK(right.frame.sprites[0].image == &sets[0].sheet);
@@ -90,7 +91,7 @@ TEST_CASE("the box stands where physics says, mirrored or not") {
 
     REQUIRE(engine.fling(*id, {-60.0, 0.0}));
     engine.advance(1);
-    const Staged left = staged(engine, sets, 1, 0);
+    const Staged left = staged(engine, sets, atlas, {.now = 1});
     CHECK(left.frame.sprites[0].image == &sets[0].mirrored);
     CHECK(left.frame.sprites[0].at == Point{20 - 2, 31 - 3});
 }
@@ -122,7 +123,7 @@ TEST_CASE("source-over rounds each channel to the nearest value") {
         const Pixel target = premultiplied();
         Image canvas = filled({1, 1}, target);
         const Image ink = filled({1, 1}, source);
-        blit(PixelView(canvas), {0, 0, 1, 1}, {0, 0}, ink, {0, 0, 1, 1});
+        blit(PixelView(canvas), {0, 0, 1, 1}, {ink, {0, 0, 1, 1}, {0, 0}});
         for (const unsigned shift : {0U, 8U, 16U, 24U}) {
             const unsigned s = (source >> shift) & 0xffU;
             const unsigned t = (target >> shift) & 0xffU;
@@ -139,7 +140,7 @@ TEST_CASE("drawing is clipped at every edge of the target") {
             // A guarded canvas: the target is the middle of a larger picture.
             Image canvas(Size{24, 24});
             const PixelView middle(&canvas.at(8, 8), 24, {8, 8});
-            blit(middle, {0, 0, 8, 8}, {x, y}, ink, {0, 0, 4, 4});
+            blit(middle, {0, 0, 8, 8}, {ink, {0, 0, 4, 4}, {x, y}});
             for (int v = 0; v < 24; ++v) {
                 for (int u = 0; u < 24; ++u) {
                     const Point local{u - 8, v - 8};

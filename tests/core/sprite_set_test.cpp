@@ -251,6 +251,24 @@ TEST_CASE("sprite set: the box lies within the cell") {
     CHECK(complaint_about("{\"x\": 1, \"y\": 0,", "{\"x\": -1, \"y\": 0,").contains("/box/x: "));
 }
 
+TEST_CASE("sprite set: scale and filter") {
+    const auto plain = Folder(good).load();
+    REQUIRE(plain);
+    CHECK(plain->scale == 1.0);
+    CHECK(plain->filter == Filter::smooth);
+    const std::string_view name = R"("name": "cat",)";
+    const auto pixels = Folder(changed(good, name, R"("scale": 2.5, "filter": "nearest",)")).load();
+    REQUIRE(pixels);
+    CHECK(pixels->scale == 2.5);
+    CHECK(pixels->filter == Filter::nearest);
+    CHECK(
+        complaint_about(name, R"("scale": 5,)") ==
+        "sprite.json:2:14: /scale: must be a number from 0.25 to 4, got 5"
+    );
+    CHECK(complaint_about(name, R"("filter": "blurry",)").contains(R"(, got "blurry")"));
+    CHECK(complaint_about(name, R"("filtr": "nearest",)").contains("filter"));
+}
+
 TEST_CASE("sprite set: slips in keys are found, other keys are left alone") {
     CHECK(
         complaint_about("\"loop\"", "\"lop\"") ==

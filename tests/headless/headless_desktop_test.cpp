@@ -33,13 +33,15 @@ TEST_CASE("the clock goes to the next input, the deadline or the end, whichever 
 }
 
 TEST_CASE("monitors are read from text") {
-    const auto two = parse_monitors("1920x1080+0+0,1600x900-1600-200");
+    const auto two = parse_monitors("1920x1080+0+0,1600x900-1600-200@1.25");
     REQUIRE(two);
     REQUIRE(two->size() == 2);
     CHECK((*two)[0].bounds == Rect{0, 0, 1920, 1080});
     CHECK((*two)[0].primary);
     CHECK((*two)[1].bounds == Rect{-1600, -200, 1600, 900});
     CHECK_FALSE((*two)[1].primary);
+    CHECK((*two)[0].scale == 1.0);
+    CHECK((*two)[1].scale == 1.25);
     CHECK(parse_monitors("")->empty());
     for (const char* wrong :
          {"1920",
@@ -52,6 +54,10 @@ TEST_CASE("monitors are read from text") {
           "99999x1+0+0",
           "1x1+999999+0",
           "1920x1080++0+0",
+          "1920x1080+0+0@",
+          "1920x1080+0+0@1.5x",
+          "1920x1080+0+0@9",
+          "1920x1080+0+0@nan",
           ","}) {
         CAPTURE(wrong);
         const auto refused = parse_monitors(wrong);

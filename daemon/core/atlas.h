@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Cells of sprite sheets at the scales in use, each made when it is first shown.
+#pragma once
+
+#include "daemon/core/image.h"
+#include "daemon/core/sprite_set.h"
+#include "physics/geometry.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace hyrax {
+
+/// A cell as it is drawn.
+struct CellPicture {
+    const Image* image = nullptr;
+    Rect source;  ///< Within the image.
+};
+
+/// Each scaled cell is a picture of its own, so that no neighbour can bleed into it. Those that
+/// have not been shown for the longest time go when all together exceed the limit.
+class Atlas {
+public:
+    static constexpr std::size_t default_limit = std::size_t{128} << 20U;
+
+    explicit Atlas(std::size_t limit_bytes = default_limit) : limit_(limit_bytes) {}
+
+    /// What has been shown in this frame or the one before stays where it is: somebody may look at
+    /// it, and no other picture takes its address. It may exceed the limit.
+    void begin_frame() { ++frame_; }
+
+    /// The cell in this size; at the set's own size, a part of its sheet. `set_index` names the set
+    /// until clear().
+    CellPicture cell(
+        const SpriteSet& set, std::size_t set_index, int cell, bool faces_left, Size size
+    );
+
+    /// For other sets. Nobody may look at a picture any more.
+    void clear();
+
+    /// Of all scaled cells.
+    std::size_t bytes() const { return bytes_; }
+    /// How many cells have been scaled since the start.
+    std::uint64_t made() const { return made_; }
+
+private:
+    struct Scaled {
+        Image image;
+        std::uint64_t frame = 0;  // When it was last shown.
+    };
+    // Both facings of each cell of a set in one size; empty until shown.
+    using Scale = std::vector<Scaled>;
+
+    Scale& scale_of(const SpriteSet& set, std::size_t set_index, Size size);
+    void drop_oldest();
+
+    std::unordered_map<std::uint64_t, Scale> scales_;
+    std::size_t limit_;
+    std::size_t bytes_ = 0;
+    std::uint64_t frame_ = 1;
+    std::uint64_t made_ = 0;
+};
+
+}  // namespace hyrax
