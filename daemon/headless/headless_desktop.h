@@ -3,6 +3,7 @@
 #pragma once
 
 #include "daemon/core/desktop.h"
+#include "daemon/core/statistics.h"
 
 #include <cstddef>
 #include <functional>
@@ -35,9 +36,11 @@ public:
     void show_status(const Status& status) override { statuses_.push_back(status); }
 
     const Frame& last_frame() const { return frame_; }
-    std::size_t presents() const { return presents_; }
+    std::size_t presents() const { return counters_.overlay.frames; }
     /// How often wait() came back because its deadline had come.
-    std::size_t timer_wakeups() const { return timer_wakeups_; }
+    std::size_t timer_wakeups() const { return counters_.timer_wakeups; }
+    /// Frames are remembered, not drawn: nothing is presented.
+    const DesktopCounters& counters() const { return counters_; }
     const std::vector<Status>& statuses() const { return statuses_; }
 
 private:
@@ -47,8 +50,7 @@ private:
     Ticks now_ = 0;
     Ticks end_;
     Frame frame_;
-    std::size_t presents_ = 0;
-    std::size_t timer_wakeups_ = 0;
+    DesktopCounters counters_;
     std::vector<Status> statuses_;
 };
 

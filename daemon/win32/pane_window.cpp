@@ -2,6 +2,7 @@
 #include "daemon/win32/pane_window.h"
 
 #include "daemon/core/blit.h"
+#include "daemon/core/coarse_outline.h"
 
 #include <spdlog/spdlog.h>
 
@@ -42,11 +43,15 @@ PaneWindow::~PaneWindow() {
 }
 
 void PaneWindow::show(
-    const Rect& area, const Frame& frame, std::span<const Rect> dirty, OverlayCounters& counters
+    const Rect& area,
+    const Frame& frame,
+    std::span<const Rect> dirty,
+    int outline_rows,
+    OverlayCounters& counters
 ) {
     const Size size{area.width, area.height};
     blank_ = false;
-    if (!complete_ || area != area_) {
+    if (!complete_ || area != area_ || outline_rows != outline_rows_) {
         counters.resizes += size != Size{area_.width, area_.height} ? 1U : 0U;
         const Result<bool> room = surface_.make_room(size, {monitor_.width, monitor_.height});
         if (!room) {
@@ -55,7 +60,8 @@ void PaneWindow::show(
             return;
         }
         area_ = area;
-        compose(surface_.view(size), {area.x, area.y}, area, frame);
+        outline_rows_ = outline_rows;
+        draw(area, frame);
         complete_ = present(nullptr, counters);
         if (!complete_) {
             renew_layer();
@@ -63,14 +69,22 @@ void PaneWindow::show(
         }
     } else {
         for (const Rect& part : dirty) {
-            compose(surface_.view(size), {area.x, area.y}, part, frame);
-            complete_ = present(&part, counters) && complete_;
+            const Rect bands = whole_bands(part, area, outline_rows);
+            draw(bands, frame);
+            complete_ = present(&bands, counters) && complete_;
         }
     }
     if (!visible_ && complete_) {
         ::ShowWindow(window(), SW_SHOWNOACTIVATE);
         visible_ = true;
     }
+}
+
+void PaneWindow::draw(const Rect& part, const Frame& frame) {
+    const PixelView view = surface_.view({area_.width, area_.height});
+    compose(view, {area_.x, area_.y}, part, frame);
+    const Rect local{part.x - area_.x, part.y - area_.y, part.width, part.height};
+    coarsen_outline(view, local, outline_rows_);
 }
 
 bool PaneWindow::show_again(const Rect& area, OverlayCounters& counters) {
@@ -90,7 +104,7 @@ bool PaneWindow::show_again(const Rect& area, OverlayCounters& counters) {
     return true;
 }
 
-/// The whole area, with its place and size, or the dirty part of it.
+/// The whole area, with its place and size, or the dirty part of it, which may be all.
 bool PaneWindow::present(const Rect* dirty, OverlayCounters& counters) {
     POINT at{area_.x, area_.y};
     SIZE size{area_.width, area_.height};
@@ -106,7 +120,7 @@ bool PaneWindow::present(const Rect* dirty, OverlayCounters& counters) {
     if (dirty == nullptr) {
         update.pptDst = &at;
         update.psize = &size;
-    } else {
+    } else if (*dirty != area_) {
         part = {
             dirty->x - area_.x,
             dirty->y - area_.y,
@@ -155,7 +169,7 @@ bool PaneWindow::has_pixel_at(Point point) const {
     }
     const PixelView view = surface_.view({area_.width, area_.height});
     const Pixel* const row = view.pixels + std::ptrdiff_t{point.y - area_.y} * view.stride;
-    return alpha_of(row[point.x - area_.x]) != 0;
+    return alpha_of(row[point.x - area_.x]) > alpha_of(faint_pixel);
 }
 
 }  // namespace hyrax::win32
