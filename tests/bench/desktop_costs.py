@@ -3,10 +3,10 @@
 """Measures what pets cost on a desktop and writes docs/desktop_costs.md.
 
 desktop_costs.py hyrax.exe post_message.exe hyrax-headless [--seconds N] [--repeat N] [--docs DIR]
-                 [--work DIR] [--keep]
+                 [--work DIR] [--measure [native] [wine]]
 
-The CSV files go to the working folder; --keep takes those that are there instead of measuring
-again. The text is desktop_costs.md.in, where ${...} stands for a figure or a table.
+The CSV files go to the working folder; what is not measured again is taken from those that are
+there. The text is desktop_costs.md.in, where ${...} stands for a figure or a table.
 """
 
 import argparse
@@ -18,6 +18,7 @@ import shutil
 import statistics
 import string
 import sys
+import time
 
 from desktop_scenes import ROOT, SCREEN, Headless, OnWine, config, desktop, measure
 
@@ -67,6 +68,7 @@ def measure_starts(show, work, label):
     for turn in range(STARTS):
         shown = show(work / "profiles" / f"{label}-start-{turn}", config(3, True, FAST))
         try:
+            time.sleep(1)
             times.append(shown.tell()["first_frame"] - shown.begin)
         finally:
             shown.end()
@@ -91,31 +93,38 @@ def read(work, name):
         return [{key: value(text) for key, text in row.items()} for row in csv.DictReader(file)]
 
 
-def measure_all(options):
-    work = options.work
-    shutil.rmtree(work, ignore_errors=True)
-    (work / "profiles").mkdir(parents=True)
-
+def measure_native(options):
     def native(folder, settings):
         return Headless(options.headless, folder, settings)
 
-    write(work, "headless-start", measure_starts(native, work, "headless"))
-    write(work, "headless", measure_scenes(native, work, "headless", options.seconds, options.repeat))
+    write(options.work, "headless-start", measure_starts(native, options.work, "headless"))
+    rows = measure_scenes(native, options.work, "headless", options.seconds, options.repeat)
+    write(options.work, "headless", rows)
+
+
+def measure_wine(options):
     # No compositor: its work would not be told apart from that for other windows.
     with desktop.VirtualDesktop([(*SCREEN, 0, 0)], compositor=False) as desk:
 
         def under_wine(folder, settings):
             return OnWine(desk, options.exe, options.post, folder, settings)
 
-        warm = under_wine(work / "profiles" / "warm", config(1, False, FAST))
+        warm = under_wine(options.work / "profiles" / "warm", config(1, False, FAST))
         warm.tell()
         warm.end()
-        write(work, "wine-start", measure_starts(under_wine, work, "wine"))
-        write(work, "wine", measure_scenes(under_wine, work, "wine", options.seconds, options.repeat))
-    size = options.exe.stat().st_size
-    load = os.getloadavg()[1]
+        write(options.work, "wine-start", measure_starts(under_wine, options.work, "wine"))
+        rows = measure_scenes(under_wine, options.work, "wine", options.seconds, options.repeat)
+        write(options.work, "wine", rows)
+
+
+def measure_all(options):
+    for part in options.measure:
+        shutil.rmtree(options.work / "profiles", ignore_errors=True)
+        (options.work / "profiles").mkdir(parents=True)
+        {"native": measure_native, "wine": measure_wine}[part](options)
     day = datetime.datetime.now(datetime.timezone.utc).date().isoformat()
-    write(work, "machine", [{"cpu": processor(), "cores": os.cpu_count(), "load": load, "day": day, "exe": size}])
+    machine = {"cpu": processor(), "cores": os.cpu_count(), "load": os.getloadavg()[2], "day": day}
+    write(options.work, "machine", [machine | {"exe": options.exe.stat().st_size}])
 
 
 def processor():
@@ -187,7 +196,7 @@ def write_document(options):
     rows = [[goal, limit, measured, "met" if met else "**not met**"] for goal, limit, measured, met in goals(data)]
     text = string.Template((HERE / "desktop_costs.md.in").read_text()).substitute(
         machine=f"{machine['cpu']}, {machine['cores']:.0f} processors, Linux, {machine['day']}; "
-        f"the load of the machine was {machine['load']:.1f}",
+        f"the machine's load was {machine['load']:.1f}",
         goals=table(["what", "goal", "measured", ""], rows),
         headless=costs_table(data["headless"], [("process, core", "process")]),
         wine=costs_table(
@@ -206,9 +215,9 @@ def main():
     options.add_argument("--repeat", type=int, default=3, help="runs of each moving scene")
     options.add_argument("--docs", type=pathlib.Path, default=ROOT / "docs")
     options.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "desktop_costs")
-    options.add_argument("--keep", action="store_true")
+    options.add_argument("--measure", nargs="*", choices=("native", "wine"), default=["native", "wine"])
     options = options.parse_args()
-    if not options.keep:
+    if options.measure:
         measure_all(options)
     write_document(options)
 

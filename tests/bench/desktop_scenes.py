@@ -66,12 +66,17 @@ class Headless:
         (folder / "config.json").write_text(json.dumps(settings))
         self.statistics = folder / "statistics.jsonl"
         self.begin = time.time()
+        log = open(folder / "hyrax.log", "wb")
         self._process = subprocess.Popen(
             [program, "--real-time", "--seconds", "3600", "--for-testing", "--monitors", "%dx%d+0+0" % SCREEN,
              "--config", folder / "config.json", "--stats", self.statistics],
-            stdout=subprocess.DEVNULL,
+            stdout=log, stderr=log,
         )  # fmt: skip
+        log.close()
         self.pid, self.others = self._process.pid, {}
+        # Before it listens, the signal would end it.
+        blocked = lambda: int(re.search(r"^SigBlk:\s+(\w+)", Path(f"/proc/{self.pid}/status").read_text(), re.M)[1], 16)
+        desktop.wait_for(lambda: blocked() >> (signal.SIGUSR1 - 1) & 1, 30, "hyrax-headless", step=0.002)
 
     def tell(self):
         return _next_line(self.statistics, lambda: os.kill(self.pid, signal.SIGUSR1))
@@ -88,11 +93,12 @@ class OnWine:
         folder.mkdir(parents=True)
         (folder / "config.json").write_text(json.dumps(settings))
         self._desk, self._exe, self._post, self._folder = desk, exe, post, folder
-        self.statistics = folder / "statistics.jsonl"
+        # Beside the profile, whose changes would wake the daemon.
+        self.statistics = folder.with_suffix(".jsonl")
         self.begin = time.time()
         self._program = desk.start(
             exe, "--profile", wine.windows_path(folder), "--for-testing", "--stats",
-            wine.windows_path(folder) + "\\statistics.jsonl",
+            wine.windows_path(self.statistics),
         )  # fmt: skip
         self.pid = self._program.pid
 

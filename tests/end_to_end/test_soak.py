@@ -64,11 +64,11 @@ def soak(desk, options):
     (folder / "scripts").mkdir(parents=True)
     (folder / "scripts" / "guests.lua").write_text(SCRIPT)
     (folder / "config.json").write_text(config(0))
-    file = folder / "statistics.jsonl"
+    file = desk.folder / "soak.jsonl"
     lines = lambda: file.read_text().splitlines() if file.exists() else []
     program = desk.start(
         options.exe, "--profile", wine.windows_path(folder), "--for-testing", "--stats",
-        wine.windows_path(folder) + "\\statistics.jsonl", env={"WINEDEBUG": options.debug},
+        wine.windows_path(file), env={"WINEDEBUG": options.debug},
     )  # fmt: skip
     desktop.wait_for(lambda: (folder / "hyrax.log").exists(), 60, "the log")
     samples, saves, begin = [], 0, time.monotonic()
