@@ -3,11 +3,14 @@
 #include "daemon/control/command_line.h"
 #include "daemon/core/check.h"
 #include "daemon/core/daemon.h"
+#include "daemon/core/log_failure.h"
+#include "daemon/core/statistics.h"
 #include "daemon/script/script_host.h"
 #include "daemon/win32/clock.h"
 #include "daemon/win32/console.h"
 #include "daemon/win32/image_decoder.h"
 #include "daemon/win32/process.h"
+#include "daemon/win32/process_use.h"
 #include "daemon/win32/single_instance.h"
 #include "daemon/win32/text.h"
 #include "daemon/win32/win32_desktop.h"
@@ -138,9 +141,25 @@ int run_daemon(const Places& places, const DaemonCommandLine& line, const std::w
     }
     Daemon daemon(**desktop, std::move(options));
     (*desktop)->on_modal_tick([&daemon] { daemon.run_due(); });
+    const auto tell_statistics = [&] {
+        if (line.common.statistics) {
+            log_failure(append_statistics(
+                *line.common.statistics,
+                {
+                    .now = (*desktop)->now(),
+                    .pets = daemon.engine().size(),
+                    .moving = daemon.engine().report().awake,
+                    .desktop = (*desktop)->counters(),
+                    .process = win32::process_use(),
+                }
+            ));
+        }
+    };
+    (*desktop)->on_statistics_request(tell_statistics);
     daemon.run();
+    tell_statistics();
 
-    const win32::DesktopCounters counters = (*desktop)->counters();
+    const DesktopCounters counters = (*desktop)->counters();
     spdlog::info(
         "{} pets; {} presents of {:.1f} MB in all; woken {} times; bye",
         daemon.engine().size(),

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// hyrax-headless: the whole daemon on a desktop made of lists.
+// hyrax-headless: the whole daemon without windows, on a virtual clock or the real one.
 #include "daemon/control/command_line.h"
 #include "daemon/core/daemon.h"
+#include "daemon/core/log_failure.h"
+#include "daemon/core/statistics.h"
 #include "daemon/headless/headless_desktop.h"
 #include "daemon/headless/monitor_list.h"
 #include "daemon/headless/png_file.h"
+#include "daemon/headless/process_use.h"
+#include "daemon/headless/real_time_desktop.h"
 #include "daemon/script/script_host.h"
 
 #include <fmt/format.h>
@@ -12,10 +16,12 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <chrono>
+#include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -45,26 +51,74 @@ hyrax::Profile profile_for(const hyrax::HeadlessCommandLine& line) {
     };
 }
 
-// `busy`: real time that the whole run took [ns].
-void report(const hyrax::Daemon& daemon, hyrax::HeadlessDesktop& desktop, double busy) {
+// `busy`: processor time that the whole run took [ns].
+void report(
+    const hyrax::Daemon& daemon, const hyrax::DesktopCounters& counters, double seconds, double busy
+) {
     const hyrax::EngineReport engine = daemon.engine().report();
-    const double seconds = hyrax::to_seconds(desktop.now());
+    const std::uint64_t frames = counters.overlay.frames;
     fmt::print(
         "{} pets ({} moving, {} asleep) after {} s: {} frames shown, {} timer wake-ups\n",
         daemon.engine().size(),
         engine.awake,
         engine.asleep,
         seconds,
-        desktop.presents(),
-        desktop.timer_wakeups()
+        frames,
+        counters.timer_wakeups
     );
     fmt::print(
         "{}: {:.1f} contacts a second, energy {:.4g} px^2/s^2, {:.0f} ns for each frame\n",
         hyrax::name_of(daemon.engine().integrator()),
         seconds > 0.0 ? static_cast<double>(engine.contacts) / seconds : 0.0,
         engine.energy,
-        busy / static_cast<double>(std::max<std::size_t>(1, desktop.presents()))
+        busy / static_cast<double>(std::max<std::uint64_t>(1, frames))
     );
+}
+
+template <typename AnyDesktop>
+hyrax::Statistics statistics_of(const hyrax::Daemon& daemon, AnyDesktop& desktop) {
+    return {
+        .now = desktop.now(),
+        .pets = daemon.engine().size(),
+        .moving = daemon.engine().report().awake,
+        .desktop = desktop.counters(),
+        .process = hyrax::process_use(),
+    };
+}
+
+/// Either desktop, until its time is over.
+template <typename AnyDesktop>
+int run_on(
+    AnyDesktop& desktop,
+    const std::vector<hyrax::Monitor>& monitors,
+    hyrax::DaemonOptions options,
+    const hyrax::HeadlessCommandLine& line
+) {
+    const hyrax::Ticks start = desktop.now();
+    hyrax::Daemon daemon(desktop, std::move(options));
+    const auto tell_statistics = [&] {
+        if (line.common.statistics) {
+            hyrax::log_failure(
+                hyrax::append_statistics(*line.common.statistics, statistics_of(daemon, desktop))
+            );
+        }
+    };
+    if constexpr (requires { desktop.on_statistics_request(tell_statistics); }) {
+        desktop.on_statistics_request(tell_statistics);
+    }
+    const std::clock_t begin = std::clock();
+    daemon.run();
+    const double busy = static_cast<double>(std::clock() - begin) * 1e9 / CLOCKS_PER_SEC;
+    tell_statistics();
+
+    if (line.snapshot) {
+        const auto image = hyrax::picture(desktop.last_frame(), monitors);
+        if (const auto written = hyrax::write_png(*line.snapshot, image); !written) {
+            return failed(written.error());
+        }
+    }
+    report(daemon, desktop.counters(), hyrax::to_seconds(desktop.now() - start), busy);
+    return exit_ok;
 }
 
 int run(const hyrax::HeadlessCommandLine& line) {
@@ -88,20 +142,13 @@ int run(const hyrax::HeadlessCommandLine& line) {
         options.trace = *std::move(trace);
     }
 
-    hyrax::HeadlessDesktop desktop(*monitors, hyrax::from_seconds(line.seconds));
-    hyrax::Daemon daemon(desktop, std::move(options));
-    const auto begin = std::chrono::steady_clock::now();
-    daemon.run();
-    const std::chrono::duration<double, std::nano> busy = std::chrono::steady_clock::now() - begin;
-
-    if (line.snapshot) {
-        const auto image = hyrax::picture(desktop.last_frame(), *monitors);
-        if (const auto written = hyrax::write_png(*line.snapshot, image); !written) {
-            return failed(written.error());
-        }
+    const hyrax::Ticks span = hyrax::from_seconds(line.seconds);
+    if (line.real_time) {
+        hyrax::RealTimeDesktop desktop(*monitors, span);
+        return run_on(desktop, *monitors, std::move(options), line);
     }
-    report(daemon, desktop, busy.count());
-    return exit_ok;
+    hyrax::HeadlessDesktop desktop(*monitors, span);
+    return run_on(desktop, *monitors, std::move(options), line);
 }
 
 }  // namespace

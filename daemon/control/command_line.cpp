@@ -18,6 +18,7 @@ std::filesystem::path path_of(const std::string& utf8) {
 struct Raw {
     int spawn = 1;
     std::string trace;
+    std::string statistics;
     std::string profile;
     std::string config;
     std::vector<std::string> scripts;
@@ -65,6 +66,11 @@ void add_common(CLI::App& app, CommonOptions& common, Raw& raw) {
         app, common, "--reload", request::Reload{}, "Read config, sprite sets and scripts again"
     );
     app.add_option("--trace", raw.trace, "Write every frame of every pet to this CSV file");
+    app.add_option(
+        "--stats",
+        raw.statistics,
+        "Add what was counted to this file, a line of JSON at the end and when asked"
+    );
     app.add_flag(
         "--for-testing", common.for_testing, "Broken checks abort; the same run every time"
     );
@@ -108,6 +114,7 @@ std::variant<DaemonCommandLine, Farewell> parse_daemon_arguments(
         return *std::move(farewell);
     }
     line.common.trace = given(raw.trace);
+    line.common.statistics = given(raw.statistics);
     line.profile = given(raw.profile);
     return line;
 }
@@ -116,7 +123,8 @@ std::variant<HeadlessCommandLine, Farewell> parse_headless_arguments(
     const std::vector<std::string>& arguments
 ) {
     CLI::App app(
-        "hyrax-headless: the daemon without a desktop, on a virtual clock", "hyrax-headless"
+        "hyrax-headless: the daemon without a desktop, on a virtual clock or the real one",
+        "hyrax-headless"
     );
     HeadlessCommandLine line;
     Raw raw;
@@ -125,9 +133,14 @@ std::variant<HeadlessCommandLine, Farewell> parse_headless_arguments(
         "--config", raw.config, "A config.json; sprites/ and scripts/ are looked for beside it"
     );
     app.add_option("--script", raw.scripts, "A Lua script to run, may be repeated");
-    app.add_option("--seconds", line.seconds, "How long to run [virtual seconds]")
+    app.add_option("--seconds", line.seconds, "How long to run [seconds of its clock]")
         ->check(between(0.0, 1e6))
         ->capture_default_str();
+    app.add_flag(
+        "--real-time",
+        line.real_time,
+        "Wait as on a screen, and draw every frame into memory; SIGUSR1 adds a line to --stats"
+    );
     app.add_option("--fps", line.fps, "Frames a second instead of the config's")
         ->check(between(1.0, 1000.0));
     app.add_option(
@@ -141,6 +154,7 @@ std::variant<HeadlessCommandLine, Farewell> parse_headless_arguments(
         return *std::move(farewell);
     }
     line.common.trace = given(raw.trace);
+    line.common.statistics = given(raw.statistics);
     line.config = given(raw.config);
     line.snapshot = given(raw.snapshot);
     for (const std::string& script : raw.scripts) {

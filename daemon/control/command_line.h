@@ -22,6 +22,7 @@ struct Farewell {
 struct CommonOptions {
     std::vector<Request> requests;  ///< In the order in which they were given.
     std::optional<std::filesystem::path> trace;
+    std::optional<std::filesystem::path> statistics;  ///< Gets lines of append_statistics().
     bool for_testing =
         false;  ///< A broken check aborts; pets without a place come in a fixed order.
 };
@@ -35,7 +36,8 @@ struct HeadlessCommandLine {
     CommonOptions common;
     std::optional<std::filesystem::path> config;
     std::vector<std::filesystem::path> scripts;
-    double seconds = 10.0;  ///< Virtual, 0 to 1e6.
+    double seconds = 10.0;   ///< 0 to 1e6.
+    bool real_time = false;  ///< Else the clock is virtual.
     std::optional<double> fps;
     std::string monitors = "1920x1080+0+0";
     std::optional<std::filesystem::path> snapshot;

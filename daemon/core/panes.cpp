@@ -259,6 +259,11 @@ std::vector<Rect> dirty_clusters(
             join_cheapest_pair(clusters, cost.call_px);
         }
     }
+    for (const Rect& cluster : clusters) {
+        if (cluster.area() * 100 >= area.area() * cost.whole_percent) {
+            return {area};
+        }
+    }
     return clusters;
 }
 

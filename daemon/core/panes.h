@@ -48,6 +48,8 @@ std::vector<Rect> changed_places(const Frame& before, const Frame& after);
 struct PresentCost {
     std::size_t most_calls = 8;  ///< > 0
     long long call_px = 0;       ///< Pixels that could be presented for the price of a call.
+    /// A cluster that holds so much of the area becomes the area.
+    int whole_percent = 100;
 };
 
 /// Covers the parts of the places that lie in `area` with few rectangles that hold few other

@@ -35,13 +35,17 @@ std::vector<Input> HeadlessDesktop::wait(Ticks deadline) {
         }
         due.push_back(inputs_[next_].input);
     }
-    timer_wakeups_ += due.empty() ? 1U : 0U;
+    ++counters_.wakeups;
+    counters_.timer_wakeups += due.empty() ? 1U : 0U;
     return due;
 }
 
 void HeadlessDesktop::present(const Frame& frame) {
     frame_ = frame;
-    ++presents_;
+    ++counters_.overlay.frames;
+    if (counters_.first_frame == never && !frame.sprites.empty()) {
+        counters_.first_frame = now_;
+    }
 }
 
 Image picture(const Frame& frame, const std::vector<Monitor>& monitors) {

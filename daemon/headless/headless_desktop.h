@@ -3,6 +3,7 @@
 #pragma once
 
 #include "daemon/core/desktop.h"
+#include "daemon/core/statistics.h"
 
 #include <cstddef>
 #include <functional>
@@ -41,9 +42,11 @@ public:
     const Conduct& conduct() const { return conduct_; }
     Renderer renderer() const { return renderer_; }
     const Frame& last_frame() const { return frame_; }
-    std::size_t presents() const { return presents_; }
+    std::size_t presents() const { return counters_.overlay.frames; }
     /// How often wait() came back because its deadline had come.
-    std::size_t timer_wakeups() const { return timer_wakeups_; }
+    std::size_t timer_wakeups() const { return counters_.timer_wakeups; }
+    /// Frames are remembered, not drawn: nothing is presented.
+    const DesktopCounters& counters() const { return counters_; }
     const std::vector<Status>& statuses() const { return statuses_; }
 
 private:
@@ -54,8 +57,7 @@ private:
     Ticks end_;
     Frame frame_;
     Renderer renderer_ = Renderer::blit;
-    std::size_t presents_ = 0;
-    std::size_t timer_wakeups_ = 0;
+    DesktopCounters counters_;
     std::vector<Status> statuses_;
     Conduct conduct_;
 };

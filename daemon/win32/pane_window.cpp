@@ -2,6 +2,7 @@
 #include "daemon/win32/pane_window.h"
 
 #include "daemon/core/blit.h"
+#include "daemon/core/coarse_outline.h"
 #include "daemon/win32/gdiplus_renderer.h"
 
 #include <spdlog/spdlog.h>
@@ -17,7 +18,7 @@ constexpr DWORD pane_style = WS_EX_LAYERED | WS_EX_TOPMOST | WS_EX_TOOLWINDOW | 
 
 constexpr const wchar_t* not_rude = L"NonRudeHWND";
 
-void draw(const PixelView& target, const PanePicture& picture, const Rect& part) {
+void render(const PixelView& target, const PanePicture& picture, const Rect& part) {
     const Point origin{picture.area.x, picture.area.y};
     if (picture.renderer == Renderer::gdiplus) {
         compose_with_gdiplus(target, origin, part, picture.frame);
@@ -55,7 +56,7 @@ void PaneWindow::show(const PanePicture& picture, OverlayCounters& counters) {
     const Rect& area = picture.area;
     const Size size{area.width, area.height};
     blank_ = false;
-    if (!complete_ || area != area_) {
+    if (!complete_ || area != area_ || picture.outline_rows != outline_rows_) {
         counters.resizes += size != Size{area_.width, area_.height} ? 1U : 0U;
         const Result<bool> room = surface_.make_room(size, {monitor_.width, monitor_.height});
         if (!room) {
@@ -64,7 +65,8 @@ void PaneWindow::show(const PanePicture& picture, OverlayCounters& counters) {
             return;
         }
         area_ = area;
-        draw(surface_.view(size), picture, area);
+        outline_rows_ = picture.outline_rows;
+        draw(picture, area);
         complete_ = present(nullptr, counters);
         if (!complete_) {
             renew_layer();
@@ -72,14 +74,22 @@ void PaneWindow::show(const PanePicture& picture, OverlayCounters& counters) {
         }
     } else {
         for (const Rect& part : picture.dirty) {
-            draw(surface_.view(size), picture, part);
-            complete_ = present(&part, counters) && complete_;
+            const Rect bands = whole_bands(part, area, outline_rows_);
+            draw(picture, bands);
+            complete_ = present(&bands, counters) && complete_;
         }
     }
     if (!visible_ && complete_) {
         ::ShowWindow(window(), SW_SHOWNOACTIVATE);
         visible_ = true;
     }
+}
+
+void PaneWindow::draw(const PanePicture& picture, const Rect& part) {
+    const PixelView view = surface_.view({area_.width, area_.height});
+    render(view, picture, part);
+    const Rect local{part.x - area_.x, part.y - area_.y, part.width, part.height};
+    coarsen_outline(view, local, outline_rows_);
 }
 
 bool PaneWindow::show_again(const Rect& area, OverlayCounters& counters) {
@@ -99,7 +109,7 @@ bool PaneWindow::show_again(const Rect& area, OverlayCounters& counters) {
     return true;
 }
 
-/// The whole area, with its place and size, or the dirty part of it.
+/// The whole area, with its place and size, or the dirty part of it, which may be all.
 bool PaneWindow::present(const Rect* dirty, OverlayCounters& counters) {
     POINT at{area_.x, area_.y};
     SIZE size{area_.width, area_.height};
@@ -115,7 +125,7 @@ bool PaneWindow::present(const Rect* dirty, OverlayCounters& counters) {
     if (dirty == nullptr) {
         update.pptDst = &at;
         update.psize = &size;
-    } else {
+    } else if (*dirty != area_) {
         part = {
             dirty->x - area_.x,
             dirty->y - area_.y,
@@ -164,7 +174,7 @@ bool PaneWindow::has_pixel_at(Point point) const {
     }
     const PixelView view = surface_.view({area_.width, area_.height});
     const Pixel* const row = view.pixels + std::ptrdiff_t{point.y - area_.y} * view.stride;
-    return alpha_of(row[point.x - area_.x]) != 0;
+    return alpha_of(row[point.x - area_.x]) > alpha_of(faint_pixel);
 }
 
 }  // namespace hyrax::win32

@@ -5,24 +5,15 @@
 
 #include "daemon/core/frame.h"
 #include "daemon/core/result.h"
+#include "daemon/core/statistics.h"
 #include "daemon/win32/message_window.h"
 #include "daemon/win32/surface.h"
 #include "physics/geometry.h"
 
-#include <cstdint>
 #include <memory>
 #include <span>
 
 namespace hyrax::win32 {
-
-/// What was asked of the system since the start.
-struct OverlayCounters {
-    std::uint64_t frames = 0;    ///< Frames that differed from the one before.
-    std::uint64_t presents = 0;  ///< Calls of UpdateLayeredWindowIndirect.
-    std::uint64_t bytes = 0;     ///< In the rectangles that these calls presented.
-    std::uint64_t resizes = 0;   ///< Of panes: the system makes a new surface for each.
-    std::uint64_t failures = 0;  ///< Of presents.
-};
 
 /// What a pane is to show.
 struct PanePicture {
@@ -30,6 +21,7 @@ struct PanePicture {
     const Frame& frame;
     std::span<const Rect> dirty;
     Renderer renderer = Renderer::blit;
+    int outline_rows = 1;  ///< Of coarse_outline.h.
 };
 
 class PaneWindow {
@@ -65,6 +57,7 @@ public:
 private:
     explicit PaneWindow(const Rect& monitor) : monitor_(monitor) {}
 
+    void draw(const PanePicture& picture, const Rect& part);
     bool present(const Rect* dirty, OverlayCounters& counters);
     void renew_layer();
 
@@ -72,6 +65,7 @@ private:
     Surface surface_;
     Window window_;
     Rect area_;
+    int outline_rows_ = 1;
     bool visible_ = false;
     bool complete_ = false;  ///< The system shows all of area_ as the surface has it.
     bool blank_ = false;     ///< The system shows no pixel of area_.

@@ -44,6 +44,7 @@ Result<void> Win32Desktop::start() {
     }
     daemon_ = std::move(*window);
     taskbar_created_ = ::RegisterWindowMessageW(L"TaskbarCreated");
+    statistics_message_ = ::RegisterWindowMessageW(L"hyrax.statistics");
     // Explorer has fewer rights than a daemon that was started as administrator.
     ::ChangeWindowMessageFilterEx(daemon_.raw(), taskbar_created_, MSGFLT_ALLOW, nullptr);
     about_.emplace(daemon_.raw(), modal_message);
@@ -66,6 +67,15 @@ std::vector<Monitor> Win32Desktop::monitors() {
 
 void Win32Desktop::present(const Frame& frame) {
     overlay_.present(frame, screens_.current(), clock_now());
+    if (counters_.first_frame == never && !frame.sprites.empty()) {
+        counters_.first_frame = clock_now();
+    }
+}
+
+DesktopCounters Win32Desktop::counters() const {
+    DesktopCounters all = counters_;
+    all.overlay = overlay_.counters();
+    return all;
 }
 
 void Win32Desktop::show_status(const Status& status) {
@@ -133,10 +143,11 @@ void Win32Desktop::sleep_until(Ticks due) {
     }
     const std::array<HANDLE, 2> events{alarm_.event(), files_.event()};
     // MWMO_INPUTAVAILABLE: also for messages that an earlier look at the queue has seen.
-    ::MsgWaitForMultipleObjectsEx(
+    const DWORD cause = ::MsgWaitForMultipleObjectsEx(
         static_cast<DWORD>(events.size()), events.data(), INFINITE, QS_ALLINPUT, MWMO_INPUTAVAILABLE
     );
-    ++wakeups_;
+    ++counters_.wakeups;
+    counters_.timer_wakeups += cause == WAIT_OBJECT_0 ? 1U : 0U;
 }
 
 }  // namespace hyrax::win32

@@ -4,6 +4,7 @@
 
 #include "daemon/core/desktop.h"
 #include "daemon/core/result.h"
+#include "daemon/core/statistics.h"
 #include "daemon/win32/about_box.h"
 #include "daemon/win32/clock.h"
 #include "daemon/win32/folder_watch.h"
@@ -15,7 +16,6 @@
 #include "daemon/win32/tray_icon.h"
 #include "daemon/win32/tray_menu.h"
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -37,11 +37,6 @@ struct Win32DesktopOptions {
     std::function<std::vector<Monitor>()> monitors = read_monitors;
 };
 
-struct DesktopCounters {
-    OverlayCounters overlay;
-    std::uint64_t wakeups = 0;  ///< How often wait() slept and was woken.
-};
-
 class Win32Desktop final : public Desktop, private MessageHandler {
 public:
     [[nodiscard]] static Result<std::unique_ptr<Win32Desktop>> create(Win32DesktopOptions options);
@@ -51,7 +46,10 @@ public:
     /// this is called some 60 times a second, to do what is due and to present; not to wait.
     void on_modal_tick(std::function<void()> run_due) { run_due_ = std::move(run_due); }
 
-    DesktopCounters counters() const { return {overlay_.counters(), wakeups_}; }
+    /// Called from wait() for each message `hyrax.statistics` (RegisterWindowMessage) that the
+    /// daemon's window gets.
+    void on_statistics_request(std::function<void()> tell) { tell_statistics_ = std::move(tell); }
+    DesktopCounters counters() const;
 
     Ticks now() override;
     std::vector<Input> wait(Ticks deadline) override;
@@ -85,10 +83,12 @@ private:
 
     Win32DesktopOptions options_;
     std::function<void()> run_due_;
+    std::function<void()> tell_statistics_;
     std::vector<Input> inbox_;
     Status status_;
-    std::uint64_t wakeups_ = 0;
+    DesktopCounters counters_;  ///< Without the overlay's.
     UINT taskbar_created_ = 0;
+    UINT statistics_message_ = 0;
     int modal_depth_ = 0;
     bool in_modal_tick_ = false;
     bool menu_open_ = false;

@@ -26,6 +26,10 @@ std::optional<LRESULT> Win32Desktop::on_message(
         on_screens_hint();
         return 0;
     }
+    if (message == statistics_message_ && tell_statistics_) {
+        tell_statistics_();
+        return 0;
+    }
     if (const auto answer = on_daemon_message(message, wparam, lparam)) {
         return answer;
     }

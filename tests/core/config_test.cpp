@@ -181,7 +181,7 @@ TEST_CASE("config: every number is accepted at its bounds and refused beyond the
             check_refused(field, "1.5", "1.5");
         }
     }
-    CHECK(numbers == 22);
+    CHECK(numbers == 24);
 }
 
 TEST_CASE("config: names, choices and lists") {

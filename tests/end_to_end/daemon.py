@@ -22,8 +22,10 @@ class Daemon:
             (self.profile / "scripts" / name).write_text(text)
         self.write_config(config)
         self.trace_file = desk.folder / f"trace-{number}.csv"
+        self.statistics_file = desk.folder / f"statistics-{number}.jsonl"
         self.program = desk.start(
             exe, "--profile", windows_path(self.profile), "--trace", windows_path(self.trace_file),
+            "--stats", windows_path(self.statistics_file),
             "--for-testing", *arguments,
         )  # fmt: skip
         desktop.wait_for(lambda: self.log_text() or not self.program.running, 60, "the log")
@@ -47,6 +49,18 @@ class Daemon:
         return desktop.wait_for(
             lambda: re.search(pattern, self.log_text(), re.MULTILINE), seconds, f"{pattern!r} in {self.log_text()}"
         )
+
+    def statistics(self, post):
+        """What the daemon has counted, asked for by post_message.exe."""
+
+        def lines():
+            return self.statistics_file.read_text().splitlines() if self.statistics_file.exists() else []
+
+        known = len(lines())
+        if code := self.desk.start(post, "hyrax.daemon", "hyrax.statistics").wait(30):
+            raise AssertionError(f"post_message ended with {code}")
+        desktop.wait_for(lambda: len(lines()) > known, 20, "statistics")
+        return json.loads(lines()[-1])
 
     # --- the trace ----------------------------------------------------------------------------
 

@@ -227,6 +227,10 @@ class VirtualDesktop:
         self.display = f":{number}"
         self._screen = Screen(self.display, self.size, self.origin)
 
+    @property
+    def server_pid(self):
+        return self._helpers[0].pid
+
     def run(self, *command, seconds=20.0):
         """The output of an X tool."""
         result = subprocess.run(command, env=self._x_env, capture_output=True, timeout=seconds)

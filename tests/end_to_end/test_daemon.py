@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """hyrax.exe under Wine with real X events: what a user does, and what must come of it.
 
-Usage: test_daemon.py hyrax.exe window_probe.exe
+Usage: test_daemon.py hyrax.exe window_probe.exe post_message.exe
 """
 
 import sys
@@ -12,7 +12,7 @@ from pathlib import Path
 import desktop
 from daemon import Daemon
 
-EXE = PROBE = None
+EXE = PROBE = POST = None
 
 # The second one lies left of and above the primary, the third one is smaller.
 MONITORS = [(1280, 720, 0, 0), (1024, 768, -1024, -120), (800, 600, 1280, 200)]
@@ -207,11 +207,17 @@ class OnThreeMonitors(unittest.TestCase):
         daemon.wait_for_rest()
         time.sleep(22)  # six breaths, then it lies still
         frames = len(daemon.rows())
+        counted = daemon.statistics(POST)
+        time.sleep(0.5)
         before = {thread.id: thread.wakeups for thread in daemon.program.threads()}
         time.sleep(10)
         woken = sum(t.wakeups - before.get(t.id, 0) for t in daemon.program.threads())
         self.assertLessEqual(woken, 2)
         self.assertEqual(len(daemon.rows()), frames)
+        later = daemon.statistics(POST)
+        for key in ("frames", "presents", "presented_bytes", "timer_wakeups"):
+            self.assertEqual(later[key], counted[key], key)
+        self.assertGreater(later["presents"], 10)
 
     def test_bad_profiles_do_not_stop_the_daemon(self):
         for config in ("", '{"physics": {"restitution": 7}}', "[" * 10_000, "\udcff".encode(errors="surrogateescape").decode("latin-1")):
@@ -224,6 +230,6 @@ class OnThreeMonitors(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    EXE, PROBE = (Path(argument).resolve() for argument in sys.argv[1:3])
-    del sys.argv[1:3]
+    EXE, PROBE, POST = (Path(argument).resolve() for argument in sys.argv[1:4])
+    del sys.argv[1:4]
     unittest.main(verbosity=2)

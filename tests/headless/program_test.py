@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: MIT
 """hyrax-headless as a user runs it: program_test.py <hyrax-headless>"""
 import csv
+import json
 import pathlib
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 PROGRAM = pathlib.Path(sys.argv.pop())
@@ -35,6 +38,39 @@ class Program(unittest.TestCase):
         self.assertEqual(rows[-1]["motion"], "settled")
         width, height = struct.unpack(">II", picture.read_bytes()[16:24])
         self.assertEqual((width, height), (1440, 600))
+
+    def test_both_clocks_tell_the_same_figures(self):
+        file = self.folder / "statistics.jsonl"
+        for arguments in ([], ["--real-time"]):
+            done = run("--seconds", 0.5, "--spawn", 2, "--for-testing", "--stats", file, *arguments)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        virtual, real = (json.loads(line) for line in file.read_text().splitlines())
+        self.assertEqual(virtual.keys(), real.keys())
+        for told in (virtual, real):
+            self.assertEqual(told["pets"], 5)
+            self.assertGreater(told["frames"], 1)
+            self.assertLess(told["frames"], 40)
+            self.assertLessEqual(told["first_frame"], told["time"])
+            self.assertGreater(told["resident_bytes"], told["private_bytes"])
+        self.assertEqual(virtual["presented_bytes"], 0)
+        self.assertGreaterEqual(real["presents"], real["frames"])
+        self.assertGreater(real["presented_bytes"], 5 * 100 * 100 * 4)
+
+    def test_statistics_when_asked(self):
+        file = self.folder / "statistics.jsonl"
+        program = subprocess.Popen([PROGRAM, "--real-time", "--seconds", "60", "--stats", file], stdout=subprocess.PIPE)
+        lines = lambda: file.read_text().splitlines() if file.exists() else []
+        end = time.monotonic() + 50
+        while not lines() and time.monotonic() < end:
+            time.sleep(0.2)  # before the program listens, the signal would end it
+            if pathlib.Path(f"/proc/{program.pid}/status").read_text().count("SigBlk:\t0000000000000000") == 0:
+                program.send_signal(signal.SIGUSR1)
+        self.assertTrue(lines())
+        program.terminate()
+        out, _ = program.communicate(timeout=30)
+        self.assertEqual(program.returncode, 0)
+        self.assertIn(b"3 pets", out)
+        self.assertGreaterEqual(len(lines()), 2)
 
     def test_same_input_same_trace(self):
         script = self.folder / "party.lua"

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/headless/memory_overlay.h"
+
+#include "daemon/core/blit.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace hyrax {
+namespace {
+
+std::vector<Rect> places_of(const Frame& frame) {
+    std::vector<Rect> places;
+    places.reserve(frame.sprites.size());
+    for (const Sprite& sprite : frame.sprites) {
+        places.push_back(sprite.bounds());
+    }
+    return places;
+}
+
+}  // namespace
+
+void MemoryOverlay::present(const Frame& frame, std::span<const Monitor> monitors, Ticks now) {
+    if (frame == frame_ && now < due()) {
+        return;
+    }
+    ++counters_.frames;
+    plan(frame, monitors, now);
+    const std::vector<Rect> changed = changed_places(frame_, frame);
+    for (const Pane& pane : plan_) {
+        draw(shown_on(pane.monitor), pane.area, frame, changed);
+    }
+    frame_ = frame;
+}
+
+void MemoryOverlay::present_again(std::span<const Monitor> monitors, Ticks now) {
+    plan(frame_, monitors, now);
+    for (const Pane& pane : plan_) {
+        Shown& shown = shown_on(pane.monitor);
+        if (shown.area != pane.area && shown.area.contains(pane.area)) {
+            crop(shown, pane.area);
+        }
+    }
+}
+
+void MemoryOverlay::plan(const Frame& frame, std::span<const Monitor> monitors, Ticks now) {
+    plan_ = plan_panes(monitors, places_of(frame), plan_, now);
+    std::erase_if(shown_, [this](const Shown& shown) {
+        return std::ranges::find(plan_, shown.monitor, &Pane::monitor) == plan_.end();
+    });
+}
+
+MemoryOverlay::Shown& MemoryOverlay::shown_on(const Rect& monitor) {
+    const auto found = std::ranges::find(shown_, monitor, &Shown::monitor);
+    if (found != shown_.end()) {
+        return *found;
+    }
+    shown_.push_back({.monitor = monitor, .area = {}, .pixels = {}});
+    return shown_.back();
+}
+
+void MemoryOverlay::draw(
+    Shown& shown, const Rect& area, const Frame& frame, std::span<const Rect> changed
+) {
+    const bool anew = shown.area != area;
+    if (anew) {
+        const bool resized = shown.area.width != area.width || shown.area.height != area.height;
+        counters_.resizes += resized ? 1U : 0U;
+        shown.area = area;
+        shown.pixels.resize(static_cast<std::size_t>(area.area()));
+    }
+    const PixelView view(shown.pixels.data(), area.width, {area.width, area.height});
+    const std::vector<Rect> parts =
+        anew ? std::vector{area} : dirty_clusters(changed, area, PresentCost{});
+    for (const Rect& part : parts) {
+        compose(view, {area.x, area.y}, part, frame);
+        count(part);
+    }
+}
+
+void MemoryOverlay::crop(Shown& shown, const Rect& area) {
+    const Rect from = shown.area;
+    // Towards the beginning, row by row: no row is overwritten before it has been moved.
+    for (int y = 0; y < area.height; ++y) {
+        const std::ptrdiff_t begin =
+            std::ptrdiff_t{area.y - from.y + y} * from.width + (area.x - from.x);
+        const auto row = shown.pixels.begin() + begin;
+        std::copy_n(row, area.width, shown.pixels.begin() + std::ptrdiff_t{y} * area.width);
+    }
+    shown.area = area;
+    shown.pixels.resize(static_cast<std::size_t>(area.area()));
+    ++counters_.resizes;
+    count(area);
+}
+
+void MemoryOverlay::count(const Rect& presented) {
+    ++counters_.presents;
+    counters_.bytes += static_cast<std::uint64_t>(presented.area()) * sizeof(Pixel);
+}
+
+Pixel MemoryOverlay::at(Point point) const {
+    for (const Shown& shown : shown_) {
+        if (shown.area.contains(point)) {
+            const std::ptrdiff_t row = std::ptrdiff_t{point.y - shown.area.y} * shown.area.width;
+            return shown.pixels[static_cast<std::size_t>(row + point.x - shown.area.x)];
+        }
+    }
+    return 0;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/headless/real_time_desktop.h"
+
+#include <poll.h>
+#include <signal.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace hyrax {
+namespace {
+
+sigset_t watched_signals() {
+    sigset_t set;
+    ::sigemptyset(&set);
+    for (const int number : {SIGINT, SIGTERM, SIGUSR1}) {
+        ::sigaddset(&set, number);
+    }
+    return set;
+}
+
+timespec to_timespec(Ticks span) {
+    return {.tv_sec = span / ticks_per_second, .tv_nsec = span % ticks_per_second};
+}
+
+}  // namespace
+
+SignalWatch::SignalWatch() {
+    const sigset_t set = watched_signals();
+    ::pthread_sigmask(SIG_BLOCK, &set, nullptr);
+    descriptor_ = ::signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);
+}
+
+SignalWatch::~SignalWatch() {
+    ::close(descriptor_);
+    const sigset_t set = watched_signals();
+    ::pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+}
+
+int SignalWatch::next() const {
+    signalfd_siginfo info{};
+    const bool came = ::read(descriptor_, &info, sizeof info) == sizeof info;
+    return came ? static_cast<int>(info.ssi_signo) : 0;
+}
+
+RealTimeDesktop::RealTimeDesktop(std::vector<Monitor> monitors, Ticks span)
+    : monitors_(std::move(monitors)), end_(now() + span) {}
+
+Ticks RealTimeDesktop::now() {
+    const auto since = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(since).count();
+}
+
+std::vector<Input> RealTimeDesktop::wait(Ticks deadline) {
+    while (true) {
+        const Ticks time = now();
+        if (time >= end_ || told_to_quit()) {
+            return {Request{request::Quit{}}};
+        }
+        if (time >= overlay_.due()) {
+            overlay_.present_again(monitors_, time);
+        }
+        if (time >= deadline) {
+            return {};
+        }
+        sleep_until(std::min({deadline, end_, overlay_.due()}));
+    }
+}
+
+bool RealTimeDesktop::told_to_quit() {
+    bool quit = false;
+    while (const int signal = signals_.next()) {
+        if (signal != SIGUSR1) {
+            quit = true;
+        } else if (tell_) {
+            tell_();
+        }
+    }
+    return quit;
+}
+
+void RealTimeDesktop::sleep_until(Ticks due) {
+    const Ticks time = now();
+    if (due <= time) {
+        return;
+    }
+    const timespec span = to_timespec(due - time);
+    pollfd watched{.fd = signals_.descriptor(), .events = POLLIN, .revents = 0};
+    const int ready = ::ppoll(&watched, 1, &span, nullptr);
+    ++counters_.wakeups;
+    counters_.timer_wakeups += ready == 0 ? 1U : 0U;
+}
+
+void RealTimeDesktop::present(const Frame& frame) {
+    overlay_.present(frame, monitors_, now());
+    if (counters_.first_frame == never && !frame.sprites.empty()) {
+        counters_.first_frame = now();
+    }
+}
+
+DesktopCounters RealTimeDesktop::counters() const {
+    DesktopCounters all = counters_;
+    all.overlay = overlay_.counters();
+    return all;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// A desktop without windows on the real clock: the daemon waits and draws as it would on a screen.
+#pragma once
+
+#include "daemon/core/desktop.h"
+#include "daemon/core/statistics.h"
+#include "daemon/headless/memory_overlay.h"
+
+#include <functional>
+#include <vector>
+
+namespace hyrax {
+
+/// SIGINT and SIGTERM, blocked for this thread and read from a descriptor; SIGUSR1, too.
+class SignalWatch {
+public:
+    SignalWatch();
+    SignalWatch(const SignalWatch&) = delete;
+    SignalWatch& operator=(const SignalWatch&) = delete;
+    ~SignalWatch();
+
+    /// Becomes readable with a signal; -1 if the system gave none.
+    int descriptor() const { return descriptor_; }
+    /// The number of the next signal that has come, 0 without one.
+    int next() const;
+
+private:
+    int descriptor_;
+};
+
+/// Quits after `span`, and on SIGINT or SIGTERM.
+class RealTimeDesktop : public Desktop {
+public:
+    RealTimeDesktop(std::vector<Monitor> monitors, Ticks span);
+
+    /// Called from wait() for each SIGUSR1.
+    void on_statistics_request(std::function<void()> tell) { tell_ = std::move(tell); }
+
+    Ticks now() override;
+    std::vector<Input> wait(Ticks deadline) override;
+    void present(const Frame& frame) override;
+    std::vector<Monitor> monitors() override { return monitors_; }
+    void show_status(const Status&) override {}
+
+    const Frame& last_frame() const { return overlay_.frame(); }
+    DesktopCounters counters() const;
+
+private:
+    void sleep_until(Ticks due);
+    bool told_to_quit();
+
+    SignalWatch signals_;
+    std::vector<Monitor> monitors_;
+    Ticks end_;
+    std::function<void()> tell_;
+    MemoryOverlay overlay_;
+    DesktopCounters counters_;
+};
+
+}  // namespace hyrax

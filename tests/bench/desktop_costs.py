@@ -1,0 +1,226 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Measures what pets cost on a desktop and writes docs/desktop_costs.md.
+
+desktop_costs.py hyrax.exe post_message.exe hyrax-headless [--seconds N] [--repeat N] [--docs DIR]
+                 [--work DIR] [--measure [native] [wine]]
+
+The CSV files go to the working folder; what is not measured again is taken from those that are
+there. The text is desktop_costs.md.in, where ${...} stands for a figure or a table.
+"""
+
+import argparse
+import csv
+import datetime
+import os
+import pathlib
+import shutil
+import statistics
+import string
+import sys
+import time
+
+from desktop_scenes import ROOT, SCREEN, Headless, OnWine, config, desktop, measure
+
+HERE = pathlib.Path(__file__).resolve().parent
+COUNTS = (1, 10, 50, 100, 500)
+FAST, SLOW = 60, 25  # frames a second
+STILL_AFTER = 26  # seconds until pets that lie on the floor have breathed their last picture
+STARTS = 7
+
+SHIJIMA = 0.29  # core: Shijima-Qt with 100 pets at 25 ticks/s, natively on X; process and X together
+
+
+def scenes():
+    """(pets, moving, frames a second)"""
+    for pets in COUNTS:
+        yield pets, True, FAST
+    yield 100, True, SLOW
+    for pets in COUNTS:
+        yield pets, False, FAST
+
+
+def median_row(rows):
+    return {key: statistics.median(row[key] for row in rows) for key in rows[0]}
+
+
+def measure_scenes(show, work, label, seconds, repeat):
+    """Each scene so often; the median of each figure."""
+    results = []
+    for pets, moving, fps in scenes():
+        rows = []
+        for turn in range(repeat if moving else 1):
+            name = f"{label}-{pets}-{'moving' if moving else 'rest'}-{fps}-{turn}"
+            shown = show(work / "profiles" / name, config(pets, moving, fps))
+            try:
+                rows.append(measure(shown, 3 if moving else STILL_AFTER, seconds))
+            finally:
+                shown.end()
+        results.append({"pets": pets, "state": "moving" if moving else "rest", "fps": fps, **median_row(rows)})
+        cores = " ".join(f"{k[:-5]} {v:.4f}" for k, v in results[-1].items() if k.endswith("_core"))
+        print(f"   {label}: {pets} {results[-1]['state']} at {fps} Hz: {cores}", file=sys.stderr, flush=True)
+    return results
+
+
+def measure_starts(show, work, label):
+    """Seconds from the start of the process to its first frame with a pet."""
+    times = []
+    for turn in range(STARTS):
+        shown = show(work / "profiles" / f"{label}-start-{turn}", config(3, True, FAST))
+        try:
+            time.sleep(1)
+            times.append(shown.tell()["first_frame"] - shown.begin)
+        finally:
+            shown.end()
+    return [{"start": statistics.median(times), "fastest": min(times), "slowest": max(times)}]
+
+
+def write(work, name, rows):
+    with (work / f"{name}.csv").open("w", newline="") as file:
+        table = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        table.writeheader()
+        table.writerows(rows)
+
+
+def read(work, name):
+    def value(text):
+        try:
+            return float(text)
+        except ValueError:
+            return text
+
+    with (work / f"{name}.csv").open(newline="") as file:
+        return [{key: value(text) for key, text in row.items()} for row in csv.DictReader(file)]
+
+
+def measure_native(options):
+    def native(folder, settings):
+        return Headless(options.headless, folder, settings)
+
+    write(options.work, "headless-start", measure_starts(native, options.work, "headless"))
+    rows = measure_scenes(native, options.work, "headless", options.seconds, options.repeat)
+    write(options.work, "headless", rows)
+
+
+def measure_wine(options):
+    # No compositor: its work would not be told apart from that for other windows.
+    with desktop.VirtualDesktop([(*SCREEN, 0, 0)], compositor=False) as desk:
+
+        def under_wine(folder, settings):
+            return OnWine(desk, options.exe, options.post, folder, settings)
+
+        warm = under_wine(options.work / "profiles" / "warm", config(1, False, FAST))
+        warm.tell()
+        warm.end()
+        write(options.work, "wine-start", measure_starts(under_wine, options.work, "wine"))
+        rows = measure_scenes(under_wine, options.work, "wine", options.seconds, options.repeat)
+        write(options.work, "wine", rows)
+
+
+def measure_all(options):
+    for part in options.measure:
+        shutil.rmtree(options.work / "profiles", ignore_errors=True)
+        (options.work / "profiles").mkdir(parents=True)
+        {"native": measure_native, "wine": measure_wine}[part](options)
+    day = datetime.datetime.now(datetime.timezone.utc).date().isoformat()
+    machine = {"cpu": processor(), "cores": os.cpu_count(), "load": os.getloadavg()[2], "day": day}
+    write(options.work, "machine", [machine | {"exe": options.exe.stat().st_size}])
+
+
+def processor():
+    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            return line.split(":", 1)[1].strip()
+    return "unknown processor"
+
+
+# --- the document ---------------------------------------------------------------------------------
+
+
+def core(value):
+    return f"{value:.4f}" if value < 0.01 else f"{value:.3f}"
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|---" * len(head) + "|"]
+    lines += ["| " + " | ".join(map(str, row)) + " |" for row in rows]
+    return "\n".join(lines)
+
+
+def costs_table(rows, cores):
+    head = ["pets", "frames/s", *[name for name, _ in cores], "presents/s", "MB/s presented", "resizes/s",
+            "switches/s", "resident MB", "private MB"]  # fmt: skip
+    body = []
+    for row in rows:
+        body.append([
+            f"{row['pets']:.0f} {'moving' if row['state'] == 'moving' else 'at rest'}",
+            f"{row['frames']:.1f}" + (f" of {row['fps']:.0f}" if row["state"] == "moving" else ""),
+            *[core(row[f"{key}_core"]) for _, key in cores],
+            f"{row['presents']:.0f}", f"{row['presented_bytes'] / 1e6:.1f}", f"{row['resizes']:.2f}",
+            f"{row['switches']:.1f}", f"{row['resident'] / 1e6:.1f}", f"{row['private_bytes'] / 1e6:.1f}",
+        ])  # fmt: skip
+    return table(head, body)
+
+
+def one(rows, pets, state, fps=FAST):
+    return next(row for row in rows if (row["pets"], row["state"], row["fps"]) == (pets, state, fps))
+
+
+def goals(data):
+    """(goal, limit, measured, met)"""
+    native, on_wine, machine = data["headless"], data["wine"], data["machine"][0]
+    moving, slow = one(native, 100, "moving"), one(on_wine, 100, "moving", SLOW)
+    total = slow["process_core"] + slow["wineserver_core"] + slow["X_core"]
+    resting = [row for rows in (native, on_wine) for row in rows if row["state"] == "rest"]
+    woken = max(row["presents"] + row["timer_wakeups"] for row in resting)
+    starts = {name: data[f"{name}-start"][0]["start"] for name in ("headless", "wine")}
+    yield ("engine, planners and composition, 100 pets moving at 60 Hz, native", "<= 0.02 core",
+           f"{moving['process_core']:.4f} core", moving["process_core"] <= 0.02)  # fmt: skip
+    yield ("all at rest: presents and timer wake-ups", "0", f"{woken:.1f} a second", woken == 0)
+    yield (f"`hyrax.exe` under Wine, 100 pets at 25 Hz: process + wineserver + X", f"< {SHIJIMA} core",
+           f"{total:.3f} core ({slow['process_core']:.3f} + {slow['wineserver_core']:.3f} + {slow['X_core']:.3f})",
+           total < SHIJIMA)  # fmt: skip
+    yield ("resident memory, 100 pets of one kind, native", "<= 30 MB", f"{moving['resident'] / 1e6:.1f} MB",
+           moving["resident"] <= 30e6)  # fmt: skip
+    yield ("process start to first frame, native", "<= 100 ms", f"{1000 * starts['headless']:.0f} ms",
+           starts["headless"] <= 0.1)  # fmt: skip
+    yield ("process start to first frame, under Wine (its server running)", "<= 400 ms",
+           f"{1000 * starts['wine']:.0f} ms", starts["wine"] <= 0.4)  # fmt: skip
+    yield ("`hyrax.exe`, stripped, statically linked", "<= 4 MB", f"{machine['exe'] / 1e6:.2f} MB",
+           machine["exe"] <= 4e6)  # fmt: skip
+
+
+def write_document(options):
+    data = {name: read(options.work, name) for name in ("headless", "headless-start", "wine", "wine-start", "machine")}
+    machine = data["machine"][0]
+    rows = [[goal, limit, measured, "met" if met else "**not met**"] for goal, limit, measured, met in goals(data)]
+    text = string.Template((HERE / "desktop_costs.md.in").read_text()).substitute(
+        machine=f"{machine['cpu']}, {machine['cores']:.0f} processors, Linux, {machine['day']}; "
+        f"the machine's load was {machine['load']:.1f}",
+        goals=table(["what", "goal", "measured", ""], rows),
+        headless=costs_table(data["headless"], [("process, core", "process")]),
+        wine=costs_table(
+            data["wine"], [("process, core", "process"), ("wineserver, core", "wineserver"), ("X, core", "X")]
+        ),
+    )
+    (options.docs / "desktop_costs.md").write_text(text)
+    print(f"wrote {options.docs / 'desktop_costs.md'}")
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    for program in ("exe", "post", "headless"):
+        options.add_argument(program, type=lambda text: pathlib.Path(text).resolve())
+    options.add_argument("--seconds", type=float, default=10, help="to measure each scene")
+    options.add_argument("--repeat", type=int, default=3, help="runs of each moving scene")
+    options.add_argument("--docs", type=pathlib.Path, default=ROOT / "docs")
+    options.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "desktop_costs")
+    options.add_argument("--measure", nargs="*", choices=("native", "wine"), default=["native", "wine"])
+    options = options.parse_args()
+    if options.measure:
+        measure_all(options)
+    write_document(options)
+
+
+if __name__ == "__main__":
+    main()

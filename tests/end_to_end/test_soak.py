@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: MIT
+"""hyrax.exe for a long time, under Wine: memory, descriptors and objects must stay what they were.
+
+Usage: test_soak.py hyrax.exe post_message.exe [--minutes N] [--debug CHANNELS]
+
+22 pets fly, a script spawns and removes others, the config is saved again and again, and changes of
+the screens are announced in storms. `--debug +seh` keeps what Wine says of exceptions.
+"""
+
+import argparse
+import json
+import re
+import statistics
+import sys
+import time
+from pathlib import Path
+
+import desktop
+import wine
+
+PETS = 22
+SAMPLES = 24
+MOST_GROWTH = 1e6  # bytes, between the medians of the second and of the last quarter
+WM_DISPLAYCHANGE = 0x7E
+
+SCRIPT = """
+hyrax.every(0.5, function()
+    local mine = hyrax.pets{ tag = "guest" }
+    if #mine > 4 then mine[1]:remove() end
+    local pet = hyrax.spawn{ x = math.random(0, 1000), y = math.random(0, 500), tag = "guest" }
+    pet:fling(math.random(-600, 600), math.random(-800, 0))
+end)
+"""
+
+
+def config(number):
+    physics = {"gravity": 900 + 10 * (number % 7), "restitution": 1, "air_drag": 1, "ground_friction": 1}
+    pet = {"count": PETS, "x": 300, "y": 100, "vx": 250}
+    return json.dumps({"physics": physics, "pets": {"start": [pet], "max": 60}})
+
+
+def of_process(pid):
+    """Resident and anonymous bytes and open descriptors."""
+    status = Path(f"/proc/{pid}/status").read_text()
+    resident, anonymous = (1024 * int(re.search(rf"^{key}:\s+(\d+)", status, re.M)[1]) for key in ("VmRSS", "RssAnon"))
+    return {"resident": resident, "anonymous": anonymous, "descriptors": len(list(Path(f"/proc/{pid}/fd").iterdir()))}
+
+
+def sample(desk, program, post, lines):
+    known = len(lines())
+    assert desk.start(post, "hyrax.daemon", "hyrax.statistics").wait(60) == 0
+    desktop.wait_for(lambda: len(lines()) > known, 60, "statistics")
+    told = json.loads(lines()[-1])
+    server = next(pid for pid, line in desk.processes() if "wineserver" in line.split()[0])
+    return {
+        **{key: told[key] for key in ("frames", "gdi_objects", "user_objects", "handles", "private_bytes", "failures")},
+        **of_process(program.pid),
+        **{f"server_{key}": value for key, value in of_process(server).items()},
+    }
+
+
+def soak(desk, options):
+    folder = desk.folder / "soak"
+    (folder / "scripts").mkdir(parents=True)
+    (folder / "scripts" / "guests.lua").write_text(SCRIPT)
+    (folder / "config.json").write_text(config(0))
+    file = desk.folder / "soak.jsonl"
+    lines = lambda: file.read_text().splitlines() if file.exists() else []
+    program = desk.start(
+        options.exe, "--profile", wine.windows_path(folder), "--for-testing", "--stats",
+        wine.windows_path(file), env={"WINEDEBUG": options.debug},
+    )  # fmt: skip
+    desktop.wait_for(lambda: (folder / "hyrax.log").exists(), 60, "the log")
+    samples, saves, begin = [], 0, time.monotonic()
+    while len(samples) < SAMPLES:
+        due = begin + options.minutes * 60 * (len(samples) + 1) / SAMPLES
+        while time.monotonic() < due:
+            saves += 1
+            (folder / "config.json").write_text(config(saves))
+            time.sleep(0.7)  # more than the quiet that the watch waits for
+            if not program.running:
+                raise AssertionError(f"ended early: {program.text()[-2000:]}")
+        for _ in range(3):
+            desk.start(options.post, "hyrax.daemon", str(WM_DISPLAYCHANGE)).wait(60)
+        samples.append(sample(desk, program, options.post, lines))
+    desk.start(options.exe, "--profile", wine.windows_path(folder), "--quit").wait(60)
+    code = program.wait(60)
+    log = (folder / "hyrax.log").read_text(errors="replace")
+    return samples, saves, code, log, program.text()
+
+
+def judge(samples):
+    """What has grown: lines of text."""
+    quarter = len(samples) // 4
+    problems = []
+    for key, first in samples[0].items():
+        values = [one[key] for one in samples]
+        early, late = statistics.median(values[quarter : 2 * quarter]), statistics.median(values[-quarter:])
+        print(f"   {key}: {first} first, {early:.0f} in the second quarter, {late:.0f} in the last")
+        limit = MOST_GROWTH if key in ("resident", "anonymous", "private_bytes") else 2
+        if key not in ("frames", "server_resident", "server_anonymous") and late - early > limit:
+            problems.append(f"{key} grew from {early:.0f} to {late:.0f}")
+    return problems
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("exe", type=lambda text: Path(text).resolve())
+    options.add_argument("post", type=lambda text: Path(text).resolve())
+    options.add_argument("--minutes", type=float, default=1.0)
+    options.add_argument("--debug", default="-all")
+    options = options.parse_args()
+    with desktop.VirtualDesktop([(1280, 720, 0, 0)]) as desk:
+        samples, saves, code, log, said = soak(desk, options)
+    problems = judge(samples)
+    print(f"{options.minutes:g} minutes, {samples[-1]['frames']} frames, {saves} saved configs; exit code {code}")
+    if code != 0 or "bye" not in log:
+        problems.append(f"it ended with {code}; its log: {log[-500:]}; it said: {said[-4000:]}")
+    if re.search(r" (error|critical): ", log):
+        problems.append(f"errors in the log: {log[-1000:]}")
+    if "Unhandled" in said or "page fault" in said:
+        problems.append(f"it said: {said[-4000:]}")
+    sys.exit("\n".join(problems) or 0)
+
+
+if __name__ == "__main__":
+    main()

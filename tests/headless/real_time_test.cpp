@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/headless/headless_desktop.h"
+#include "daemon/headless/process_use.h"
+#include "daemon/headless/real_time_desktop.h"
+#include "tests/headless/recorded_daemon.h"
+
+#include <doctest/doctest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <random>
+
+using namespace hyrax;
+
+namespace {
+
+/// The middle of a disc, the rest transparent: an image whose every pixel is told from the others.
+Image disc(int side) {
+    Image image(Size{side, side});
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const int dx = 2 * x - side;
+            const int dy = 2 * y - side;
+            const bool inside = dx * dx + dy * dy < side * side;
+            const auto shade = static_cast<Pixel>(0x80 + (x + y) % 0x70);
+            image.pixels[static_cast<std::size_t>(y * side + x)] =
+                inside ? 0xff000000U | shade * 0x010101U : 0U;
+        }
+    }
+    return image;
+}
+
+Sprite sprite_of(const Image& image, std::uint32_t index, Point at) {
+    return {
+        .image = &image,
+        .source = {0, 0, image.size.width, image.size.height},
+        .at = at,
+        .pet = {index, 1},
+    };
+}
+
+const std::vector<Monitor> two_screens{screen({0, 0, 800, 600}), screen({-640, -100, 640, 480})};
+
+}  // namespace
+
+TEST_CASE("panes in memory show what a picture of the whole frame shows") {
+    const Image image = disc(48);
+    MemoryOverlay overlay;
+    std::mt19937 random(3);
+    std::uniform_int_distribution<int> step(-30, 30);
+    std::vector<Point> places(12, Point{100, 100});
+    Ticks now = 0;
+    for (int turn = 0; turn < 150; ++turn) {
+        Frame frame;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            places[i].x = std::clamp(places[i].x + step(random), -700, 820);
+            places[i].y = std::clamp(places[i].y + step(random), -140, 620);
+            // Pets come and go, too.
+            if ((static_cast<int>(i) + turn / 20) % 5 != 0) {
+                frame.sprites.push_back(sprite_of(image, static_cast<std::uint32_t>(i), places[i]));
+            }
+        }
+        now += ticks_per_second / 10;
+        if (turn % 3 == 0) {
+            overlay.present_again(two_screens, now);
+        }
+        overlay.present(frame, two_screens, now);
+        const Image whole = picture(frame, two_screens);
+        int different = 0;
+        for (const Monitor& monitor : two_screens) {
+            const Rect& area = monitor.bounds;
+            for (int y = area.y; y < area.bottom(); ++y) {
+                for (int x = area.x; x < area.right(); ++x) {
+                    different += overlay.at({x, y}) != whole.at(x + 640, y + 100) ? 1 : 0;
+                }
+            }
+        }
+        REQUIRE(different == 0);
+    }
+    CHECK(overlay.counters().frames == 150);
+    CHECK(overlay.counters().presents >= 150);
+}
+
+TEST_CASE("equal frames present nothing") {
+    const Image image = disc(48);
+    MemoryOverlay overlay;
+    const Frame frame{{sprite_of(image, 1, {100, 100})}};
+    for (Ticks now = 0; now < 10 * ticks_per_second; now += ticks_per_second / 60) {
+        overlay.present(frame, two_screens, now);
+    }
+    CHECK(overlay.counters().frames == 1);
+    CHECK(overlay.counters().presents == 1);
+    CHECK(overlay.counters().bytes == 256U * 256U * sizeof(Pixel));
+}
+
+TEST_CASE("the real clock wakes for the deadline, for signals, and for the end") {
+    RealTimeDesktop desktop(two_screens, ticks_per_second / 5);
+    const Ticks begin = desktop.now();
+    CHECK(desktop.wait(begin + 20 * ticks_per_ms).empty());
+    CHECK(desktop.now() >= begin + 20 * ticks_per_ms);
+    CHECK(desktop.counters().timer_wakeups == 1);
+
+    int told = 0;
+    desktop.on_statistics_request([&told] { ++told; });
+    ::raise(SIGUSR1);
+    CHECK(desktop.wait(desktop.now() + 5 * ticks_per_ms).empty());
+    CHECK(told == 1);
+
+    const std::vector<Input> end = desktop.wait(never);
+    REQUIRE(end.size() == 1);
+    CHECK(std::holds_alternative<Request>(end[0]));
+    CHECK(desktop.now() >= begin + ticks_per_second / 5);
+}
+
+TEST_CASE("a request of the system to end quits") {
+    RealTimeDesktop desktop(two_screens, 3600 * ticks_per_second);
+    ::raise(SIGTERM);
+    const std::vector<Input> end = desktop.wait(never);
+    REQUIRE(end.size() == 1);
+    CHECK(std::holds_alternative<request::Quit>(std::get<Request>(end[0])));
+}
+
+TEST_CASE("the process knows its memory and its descriptors") {
+    const ProcessUse use = process_use();
+    CHECK(use.resident_bytes > 1'000'000);
+    CHECK(use.private_bytes > 100'000);
+    CHECK(use.private_bytes < use.resident_bytes);
+    CHECK(use.handles >= 3);
+}
