@@ -47,6 +47,7 @@ void Daemon::draw(Ticks now) {
     const Ticks world = clock_.at(now);
     changed_ = false;
     welcome();
+    scripts_.watch(now);
     const bool swinging = engine_.advance_held(now);
     if (!clock_.paused()) {
         engine_.advance(world);
@@ -66,6 +67,7 @@ void Daemon::draw(Ticks now) {
     const Ticks wake = clock_.machine_time(std::min(next.next_change, scripts_.next_wake()));
     const bool every_frame = swinging || (engine_.moving() && !clock_.paused());
     next_frame_ = every_frame ? pacer_.next() : std::max(wake, pacer_.next());
+    next_frame_ = std::min(next_frame_, std::max(scripts_.watch_due(), pacer_.next()));
 }
 
 void Daemon::welcome() {

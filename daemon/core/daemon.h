@@ -55,6 +55,7 @@ private:
     void on(const input::PointerLost& lost);
     void on(const input::MonitorsChanged& changed);
     void on(const input::FilesChanged& changed);
+    void on(const input::ScriptsHeard& heard);
     void on(const Request& request);
 
     void carry_out(const request::Spawn& spawn);

@@ -36,6 +36,8 @@ struct PointerLost {};
 struct MonitorsChanged {};
 /// A file of the profile may have changed: config.json, a script, a sprite set.
 struct FilesChanged {};
+/// Scripts in a process of their own have said something, or have ended.
+struct ScriptsHeard {};
 }  // namespace input
 
 using Input = std::variant<
@@ -45,6 +47,7 @@ using Input = std::variant<
     input::PointerLost,
     input::MonitorsChanged,
     input::FilesChanged,
+    input::ScriptsHeard,
     Request>;
 
 /// What the user sees of the daemon's state without any window: the tray's tip and menu.
