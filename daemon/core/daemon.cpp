@@ -46,11 +46,12 @@ void Daemon::run_due() {
 void Daemon::draw(Ticks now) {
     changed_ = false;
     heed_presence(now);
+    scripts_.watch(now);
     const Decisions& so = presence_.decisions();
     if (so.unseen) {
         report();
         choose_conduct(false, false);
-        next_frame_ = never;
+        next_frame_ = scripts_.watch_due();
         return;
     }
     const Ticks world = clock_.at(now);
@@ -85,7 +86,7 @@ void Daemon::draw(Ticks now) {
     pacer_.drawn(now);
     const Ticks wake = clock_.machine_time(std::min(next.next_change, scripts_.next_wake()));
     const bool every_frame = swinging || (engine_.moving() && !clock_.paused());
-    const Ticks due = std::min(wake, presence_.due());
+    const Ticks due = std::min({wake, presence_.due(), scripts_.watch_due()});
     next_frame_ = every_frame ? pacer_.next() : std::max(due, pacer_.next());
     choose_conduct(every_frame, !clock_.paused() && next.next_change != never);
 }

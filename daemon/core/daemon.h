@@ -58,6 +58,7 @@ private:
     void on(const input::MonitorsChanged& changed);
     void on(const input::FilesChanged& changed);
     void on(const input::FactsChanged& changed);
+    void on(const input::ScriptsHeard& heard);
     void on(const Request& request);
 
     void carry_out(const request::Spawn& spawn);

@@ -69,6 +69,10 @@ void Daemon::on(const input::FilesChanged&) {
     read_scripts();
 }
 
+void Daemon::on(const input::ScriptsHeard&) {
+    scripts_.watch(desktop_.now());
+}
+
 void Daemon::on(const Request& request) {
     std::visit([this](const auto& which) { carry_out(which); }, request);
 }
@@ -108,6 +112,8 @@ void Daemon::carry_out(const request::TogglePause&) {
 void Daemon::carry_out(const request::Reload&) {
     read_config();
     read_kinds();
+    // Also those that were ended.
+    scripts_.load({});
     sources_.clear();
     read_scripts();
 }

@@ -41,6 +41,8 @@ struct FilesChanged {};
 struct FactsChanged {
     Facts facts;
 };
+/// Scripts in a process of their own have said something, or have ended.
+struct ScriptsHeard {};
 }  // namespace input
 
 using Input = std::variant<
@@ -51,6 +53,7 @@ using Input = std::variant<
     input::MonitorsChanged,
     input::FilesChanged,
     input::FactsChanged,
+    input::ScriptsHeard,
     Request>;
 
 /// What the user sees of the daemon's state without any window: the tray's tip and menu.

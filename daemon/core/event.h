@@ -20,6 +20,8 @@ enum class EventKind : std::uint8_t {
     monitors
 };
 
+inline constexpr EventKind last_event_kind = EventKind::monitors;
+
 enum class Side : std::uint8_t { left, right, top, bottom };
 
 enum class Button : std::uint8_t { left, right, middle };
@@ -49,6 +51,13 @@ public:
     constexpr void add(EventKind kind) { bits_ |= bit(kind); }
     constexpr void add(EventMask other) { bits_ |= other.bits_; }
     constexpr bool has(EventKind kind) const { return (bits_ & bit(kind)) != 0; }
+    /// As a number, for wires.
+    constexpr std::uint32_t bits() const { return bits_; }
+    static constexpr EventMask from_bits(std::uint32_t bits) {
+        EventMask mask;
+        mask.bits_ = bits;
+        return mask;
+    }
     bool operator==(const EventMask&) const = default;
 
 private:

@@ -3,6 +3,9 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <iterator>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -51,24 +54,81 @@ void ScriptBridge::load(std::vector<ScriptSource> sources) {
     next_wake_ = 0;
 }
 
+void ScriptBridge::set_limits(const ScriptLimits& limits) {
+    if (host_) {
+        host_->set_limits(limits);
+    }
+}
+
+void ScriptBridge::watch(Ticks now) {
+    if (host_) {
+        host_->watch(now);
+    }
+}
+
+Ticks ScriptBridge::next_wake() const {
+    if (!commands_.empty()) {
+        return 0;
+    }
+    return host_ && host_->busy() ? never : next_wake_;
+}
+
 void ScriptBridge::run(Engine& engine, const std::vector<Monitor>& monitors, Ticks now) {
-    if (next_wake_ > now && !engine.has_events()) {
+    if (!loaded_ && next_wake_ == never) {
         return;
     }
-    std::vector<ScriptEvent> events;
-    for (const Event& event : engine.take_events()) {
-        events.push_back({event, event.pet == PetId{} ? PetKey{0} : key_of(event.pet)});
+    queue_events(engine);
+    if (std::optional<ScriptOutput> output = host_->take_output()) {
+        use(engine, *std::move(output));
     }
-    const ScriptOutput output = host_->run(snapshot(engine, monitors, now), events);
+    const bool due = next_wake_ <= now || !events_.empty();
+    if (due && commands_.empty() && !host_->busy()) {
+        const std::vector<ScriptEvent> events(events_.begin(), events_.end());
+        events_.clear();
+        use(engine, host_->run(snapshot(engine, monitors, now), events));
+    }
+    apply_commands(engine);
+    forget_removed(engine);
+}
+
+void ScriptBridge::queue_events(Engine& engine) {
+    for (const Event& event : engine.take_events()) {
+        events_.push_back({event, event.pet == PetId{} ? PetKey{0} : key_of(event.pet)});
+    }
+    while (events_.size() > most_events) {
+        events_.pop_front();
+        ++dropped_events_;
+    }
+    if (dropped_events_ > 0 && !host_->busy()) {
+        spdlog::warn(
+            "scripts were too slow: {} events were dropped", std::exchange(dropped_events_, 0)
+        );
+    }
+}
+
+void ScriptBridge::use(Engine& engine, ScriptOutput output) {
     for (const ScriptLog& line : output.log) {
         write_log(line);
     }
     engine.listen(output.listening);
-    for (const ScriptCommand& command : output.commands) {
-        apply(engine, command);
-    }
-    forget_removed(engine);
     next_wake_ = output.next_wake;
+    std::ranges::move(output.commands, std::back_inserter(commands_));
+}
+
+void ScriptBridge::apply_commands(Engine& engine) {
+    std::size_t failures = 0;
+    std::string first;
+    for (std::size_t i = 0; i < most_commands && !commands_.empty(); ++i) {
+        if (Result<void> done = apply(engine, commands_.front()); !done && failures++ == 0) {
+            first = std::move(done.error().message);
+        }
+        commands_.pop_front();
+    }
+    if (failures == 1) {
+        spdlog::warn("script: {}", first);
+    } else if (failures > 1) {
+        spdlog::warn("script: {} (and {} other failures)", first, failures - 1);
+    }
 }
 
 PetKey ScriptBridge::key_of(PetId id) const {
@@ -110,10 +170,13 @@ ScriptWorld ScriptBridge::snapshot(
     return world;
 }
 
-void ScriptBridge::apply(Engine& engine, const ScriptCommand& given) {
+Result<void> ScriptBridge::apply(Engine& engine, const ScriptCommand& given) {
     const auto perform = [this, &engine](const auto& c) -> Result<void> {
         using Command = std::remove_cvref_t<decltype(c)>;
         if constexpr (std::is_same_v<Command, command::Spawn>) {
+            if (made_.contains(c.key)) {
+                return failure("spawn: its key belongs to another pet");
+            }
             const Result<PetId> id = engine.spawn(c.options);
             if (!id) {
                 return std::unexpected(id.error());
@@ -150,9 +213,7 @@ void ScriptBridge::apply(Engine& engine, const ScriptCommand& given) {
             }
         }
     };
-    if (const Result<void> done = std::visit(perform, given); !done) {
-        spdlog::warn("script: {}", done.error().message);
-    }
+    return std::visit(perform, given);
 }
 
 // A pet's key lives until the events of its removal have been handed over.

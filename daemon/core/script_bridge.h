@@ -5,6 +5,8 @@
 #include "daemon/core/engine.h"
 #include "daemon/core/script_port.h"
 
+#include <cstddef>
+#include <deque>
 #include <memory>
 #include <unordered_map>
 #include <vector>
@@ -16,29 +18,48 @@ class ScriptBridge {
 public:
     explicit ScriptBridge(std::unique_ptr<ScriptHost> host) : host_(std::move(host)) {}
 
+    /// Commands that one run() applies; the others wait for the next frame, and scripts with them.
+    static constexpr std::size_t most_commands = 1'000;
+    /// Events that wait for scripts that are still busy. Above that, the oldest are dropped.
+    static constexpr std::size_t most_events = 1'024;
+
+    /// Counts from the next load() on.
+    void set_limits(const ScriptLimits& limits);
     /// Replaces all scripts; they start with the next run().
     void load(std::vector<ScriptSource> sources);
-    /// Hands over the engine's events, runs what is due at `now` and applies the commands. A
-    /// command that fails is logged; one for a pet that has gone meanwhile is dropped.
+    /// Hands over the engine's events, runs what is due at `now` and applies the commands. Failures
+    /// are logged, the first one of a frame and how many there were; a command for a pet that has
+    /// gone meanwhile is dropped.
     void run(Engine& engine, const std::vector<Monitor>& monitors, Ticks now);
     /// While calm, no script sets a pet in motion that stands on the ground.
     void set_calm(bool calm) { calm_ = calm; }
     /// When run() has something to do, apart from events.
-    Ticks next_wake() const { return next_wake_; }
+    Ticks next_wake() const;
+
+    /// Looks after scripts in a process of their own. `now`: the machine's clock.
+    void watch(Ticks now);
+    /// When watch() wants to be called, at the latest [machine's clock].
+    Ticks watch_due() const { return host_ ? host_->watch_due() : never; }
 
 private:
     PetKey key_of(PetId id) const;
     PetId id_of(PetKey key) const;
     ScriptWorld snapshot(const Engine& engine, const std::vector<Monitor>& monitors, Ticks now)
         const;
-    void apply(Engine& engine, const ScriptCommand& command);
     bool must_stay(const Pet& pet) const { return calm_ && pet.motion == Motion::settled; }
+    void queue_events(Engine& engine);
+    void use(Engine& engine, ScriptOutput output);
+    void apply_commands(Engine& engine);
+    Result<void> apply(Engine& engine, const ScriptCommand& command);
     void forget_removed(const Engine& engine);
 
     std::unique_ptr<ScriptHost> host_;
     bool loaded_ = false;
     bool calm_ = false;
     Ticks next_wake_ = never;
+    std::deque<ScriptEvent> events_;
+    std::size_t dropped_events_ = 0;
+    std::deque<ScriptCommand> commands_;
     // Pets that scripts spawned, both ways; all others have keys made from their ids.
     std::unordered_map<PetKey, PetId> made_;
     std::unordered_map<PetKey, PetKey> made_key_of_;

@@ -6,8 +6,10 @@
 #include "daemon/core/arena.h"
 #include "daemon/core/engine.h"
 #include "daemon/core/event.h"
+#include "daemon/core/script_limits.h"
 #include "physics/ticks.h"
 
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -107,13 +109,15 @@ struct ScriptOutput {
     std::vector<ScriptLog> log;
     EventMask listening;      ///< The events that some handler waits for.
     Ticks next_wake = never;  ///< The next timer or tick.
+    /// Places, in what was loaded, of the scripts that have been ended by their limits.
+    std::vector<std::uint32_t> ended{};
 };
 
 /// A script's text under the name that messages use.
 struct ScriptSource {
     std::string name;  ///< "fountain.lua"
     std::string text;
-    bool operator==(const ScriptSource&) const = default;
+    auto operator<=>(const ScriptSource&) const = default;
 };
 
 /// Runs scripts. A script that fails is reported in the log of the next output and never stops
@@ -125,10 +129,24 @@ public:
     ScriptHost& operator=(const ScriptHost&) = delete;
     virtual ~ScriptHost() = default;
 
+    /// Counts from the next load() on.
+    virtual void set_limits(const ScriptLimits& /*limits*/) {}
     /// Replaces all scripts by these; their main chunks run in the next run().
     virtual void load(std::vector<ScriptSource> sources) = 0;
-    /// Runs what is due: main chunks, handlers of the events, timers up to `world.now`.
+    /// Runs what is due: main chunks, handlers of the events, timers up to `world.now`. A host that
+    /// works elsewhere only sends the order, is then busy(), and has its output later.
     virtual ScriptOutput run(const ScriptWorld& world, std::span<const ScriptEvent> events) = 0;
+
+    // --- for hosts that work elsewhere; no call waits ---
+
+    /// True while run() must not be called, because the scripts are still at work on the last one.
+    virtual bool busy() const { return false; }
+    /// What the last run() came to, once.
+    virtual std::optional<ScriptOutput> take_output() { return std::nullopt; }
+    /// Hears what the scripts' process says, and ends it when it hangs. `now`: the machine's clock.
+    virtual void watch(Ticks /*now*/) {}
+    /// When watch() wants to be called, at the latest [machine's clock].
+    virtual Ticks watch_due() const { return never; }
 };
 
 }  // namespace hyrax

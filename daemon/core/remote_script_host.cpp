@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/core/remote_script_host.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace hyrax {
+namespace {
+
+constexpr Ticks first_delay = 100 * ticks_per_ms;
+constexpr Ticks longest_delay = 10 * ticks_per_second;
+
+// 0, then from 0.1 s doubling up to 10 s.
+Ticks delay_after(int failures) {
+    return failures == 0 ? 0 : std::min(longest_delay, first_delay << std::min(failures - 1, 10));
+}
+
+ScriptLog about_host(LogLevel level, std::string text) {
+    return {level, "script host", std::move(text)};
+}
+
+}  // namespace
+
+RemoteScriptHost::RemoteScriptHost(std::unique_ptr<ScriptChannel> channel)
+    : channel_(std::move(channel)) {}
+
+bool RemoteScriptHost::may_run(const ScriptSource& script) const {
+    const auto kills = kills_.find(script);
+    return !out_.contains(script) && (kills == kills_.end() || kills->second < most_kills);
+}
+
+void RemoteScriptHost::load(std::vector<ScriptSource> sources) {
+    sources_ = std::move(sources);
+    if (sources_.empty()) {
+        out_.clear();
+    } else {
+        // What is known of texts that are no more.
+        const auto is_gone = [this](const auto& text) {
+            return std::ranges::find(sources_, text) == sources_.end();
+        };
+        std::erase_if(out_, is_gone);
+        std::erase_if(kills_, [&](const auto& entry) { return is_gone(entry.first); });
+    }
+    fresh_ = true;
+    last_ = {};
+    retry_at_ = 0;
+    if (std::ranges::none_of(sources_, [this](const auto& each) { return may_run(each); })) {
+        stop();
+    }
+}
+
+void RemoteScriptHost::stop() {
+    if (running_) {
+        channel_->kill();
+    }
+    running_ = false;
+    waiting_ = false;
+    output_.reset();
+    stream_.clear();
+}
+
+ScriptOutput RemoteScriptHost::run(const ScriptWorld& world, std::span<const ScriptEvent> events) {
+    ScriptOutput output;
+    outgoing_.clear();
+    if ((fresh_ || !running_) && !start(output)) {
+        return output;
+    }
+    wire::encode_run(outgoing_, ++number_, world, events);
+    channel_->send(outgoing_);
+    waiting_ = true;
+    watchdog_.start(now_);
+    output.listening = last_.listening;
+    return output;
+}
+
+// False when there is nothing to run, or no process to run it in.
+bool RemoteScriptHost::start(ScriptOutput& output) {
+    std::vector<ScriptSource> sources;
+    for (const ScriptSource& source : sources_) {
+        if (may_run(source) && sources.size() < wire::most_scripts) {
+            sources.push_back(source);
+        }
+    }
+    if (sources.empty()) {
+        stop();
+        return false;
+    }
+    if (!running_) {
+        stream_.clear();
+        if (const Result<void> started = channel_->start(); !started) {
+            ++failures_;
+            retry_at_ = now_ + delay_after(failures_);
+            output.next_wake = 0;
+            if (failures_ == 1) {
+                output.log.push_back(about_host(LogLevel::error, started.error().message));
+            }
+            return false;
+        }
+        running_ = true;
+    }
+    wire::encode(
+        outgoing_,
+        wire::Load{.limits = limits_, .scripts = static_cast<std::uint32_t>(sources.size())}
+    );
+    for (const ScriptSource& source : sources) {
+        wire::encode(outgoing_, source);
+    }
+    sent_ = std::move(sources);
+    fresh_ = false;
+    return true;
+}
+
+std::optional<ScriptOutput> RemoteScriptHost::take_output() {
+    return std::exchange(output_, std::nullopt);
+}
+
+Ticks RemoteScriptHost::watch_due() const {
+    if (waiting_) {
+        return watchdog_.due();
+    }
+    return now_ < retry_at_ ? retry_at_ : never;
+}
+
+void RemoteScriptHost::watch(Ticks now) {
+    now_ = now;
+    if (!running_) {
+        return;
+    }
+    // In this order: whatever a process said before its end has come by then.
+    const std::optional<ScriptChannel::End> end = channel_->ended();
+    hear();
+    if (!running_) {
+        return;
+    }
+    if (end) {
+        look_after(*end);
+    } else if (waiting_) {
+        const std::string_view problem =
+            watchdog_.look(channel_->pulse(), channel_->processor_time(), now);
+        if (!problem.empty()) {
+            end_process(problem, true);
+        }
+    }
+}
+
+void RemoteScriptHost::hear() {
+    incoming_.clear();
+    channel_->receive(incoming_);
+    if (incoming_.empty()) {
+        return;
+    }
+    stream_.add(incoming_);
+    while (running_) {
+        const auto message = stream_.next();
+        if (!message) {
+            return end_process(message.error().message, true);
+        }
+        if (!*message) {
+            return;
+        }
+        const Result<wire::Answer> answer = wire::decode_answer(**message);
+        if (!answer) {
+            return end_process(answer.error().message, true);
+        }
+        accept(*answer);
+    }
+}
+
+void RemoteScriptHost::accept(const wire::Answer& answer) {
+    if (!waiting_ || answer.number != number_) {
+        return end_process("broken message: an answer that nobody waits for", true);
+    }
+    waiting_ = false;
+    failures_ = 0;
+    output_ = answer.output;
+    for (const std::uint32_t place : answer.output.ended) {
+        if (place < sent_.size()) {
+            out_.insert(sent_[place]);
+        }
+    }
+    if (fresh_) {
+        // Of scripts that have been replaced meanwhile; the new ones are to start.
+        output_->listening = {};
+        output_->next_wake = 0;
+    }
+    last_.listening = output_->listening;
+}
+
+void RemoteScriptHost::look_after(const ScriptChannel::End& end) {
+    end_process(fmt::format("ended its process ({})", end.how), end.crashed);
+}
+
+// The script that was running is named by the pulse, which may be a lie: then another one pays.
+void RemoteScriptHost::end_process(std::string_view reason, bool blame) {
+    const std::uint32_t running = channel_->pulse().script.load(std::memory_order_relaxed);
+    channel_->kill();
+    running_ = false;
+    waiting_ = false;
+    stream_.clear();
+    last_ = {};
+    if (!output_) {
+        output_.emplace();
+    }
+    output_->listening = {};
+    output_->next_wake = 0;
+    if (blame && running != 0 && running <= sent_.size()) {
+        const ScriptSource culprit = sent_[running - 1];
+        put_out(culprit);
+        const bool often = kills_[culprit] >= most_kills;
+        output_->log.push_back({
+            LogLevel::error,
+            culprit.name,
+            fmt::format(
+                "{}: {}; {}",
+                culprit.name,
+                reason,
+                often ? "stopped for the third time: it stays out until its text changes"
+                      : "stopped until it is loaded again"
+            ),
+        });
+    } else {
+        ++failures_;
+        retry_at_ = now_ + delay_after(failures_ - 1);
+        output_->log.push_back(about_host(LogLevel::warning, fmt::format("it {}", reason)));
+    }
+    if (!sent_.empty()) {
+        output_->log.push_back(about_host(LogLevel::warning, "all other scripts start again"));
+    }
+}
+
+void RemoteScriptHost::put_out(const ScriptSource& script) {
+    out_.insert(script);
+    ++kills_[script];
+}
+
+}  // namespace hyrax

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Scripts in a process of their own, as the daemon sees them: sends what they need to know, takes
+// what they answer, ends the process when it hangs and starts another one without the culprit.
+#pragma once
+
+#include "daemon/core/script_channel.h"
+#include "daemon/core/script_port.h"
+#include "daemon/core/script_wire.h"
+#include "daemon/core/watchdog.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hyrax {
+
+/// The process starts with the first run() after a load() and ends when nothing is left to run.
+/// A script that hangs or crashes it stays out until its text changes or everything is loaded anew
+/// (load({}) and load() again); after three times in a session, only its text helps.
+class RemoteScriptHost final : public ScriptHost {
+public:
+    static constexpr int most_kills = 3;
+
+    explicit RemoteScriptHost(std::unique_ptr<ScriptChannel> channel);
+
+    void set_limits(const ScriptLimits& limits) override { limits_ = limits; }
+    void load(std::vector<ScriptSource> sources) override;
+    ScriptOutput run(const ScriptWorld& world, std::span<const ScriptEvent> events) override;
+
+    bool busy() const override { return waiting_ || now_ < retry_at_; }
+    std::optional<ScriptOutput> take_output() override;
+    void watch(Ticks now) override;
+    Ticks watch_due() const override;
+
+    /// True while there is a process.
+    bool running() const { return running_; }
+
+private:
+    void stop();
+    bool start(ScriptOutput& output);
+    void hear();
+    void accept(const wire::Answer& answer);
+    void look_after(const ScriptChannel::End& end);
+    void end_process(std::string_view reason, bool blame);
+    void put_out(const ScriptSource& script);
+    bool may_run(const ScriptSource& script) const;
+
+    std::unique_ptr<ScriptChannel> channel_;
+    ScriptLimits limits_;
+    std::vector<ScriptSource> sources_;  // As loaded.
+    std::vector<ScriptSource> sent_;     // Those that the process knows, by their places.
+    std::set<ScriptSource, std::less<>> out_;
+    std::map<ScriptSource, int, std::less<>> kills_;
+
+    bool running_ = false;
+    bool fresh_ = false;    // The process has to be sent the sources.
+    bool waiting_ = false;  // For an answer.
+    std::uint64_t number_ = 0;
+    ScriptOutput last_;  // Its listening and next_wake alone.
+    std::optional<ScriptOutput> output_;
+    Watchdog watchdog_;
+    Ticks now_ = 0;
+    Ticks retry_at_ = 0;
+    int failures_ = 0;  // Of processes in a row that never answered.
+    wire::Bytes outgoing_;
+    wire::Bytes incoming_;
+    wire::MessageStream stream_{wire::longest_to_daemon};
+};
+
+}  // namespace hyrax

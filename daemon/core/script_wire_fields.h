@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// Which fields of the wire's structs go over it, in which order and within which bounds: one
+// description each, by which script_wire.cpp both writes and reads.
+#pragma once
+
+#include "daemon/core/script_wire.h"
+
+#include <chrono>
+#include <concepts>
+#include <type_traits>
+
+namespace hyrax::wire {
+
+/// T, or const T: the one to be read, or to be written.
+template <typename Given, typename T>
+concept Is = std::same_as<std::remove_const_t<Given>, T>;
+
+void fields(auto& wire, Is<Vec2> auto& v) {
+    wire.number(v.x);
+    wire.number(v.y);
+}
+
+void fields(auto& wire, Is<Size> auto& size) {
+    wire.length(size.width);
+    wire.length(size.height);
+}
+
+void fields(auto& wire, Is<Rect> auto& rect) {
+    wire.whole(rect.x);
+    wire.whole(rect.y);
+    wire.length(rect.width);
+    wire.length(rect.height);
+}
+
+void fields(auto& wire, Is<Monitor> auto& monitor) {
+    fields(wire, monitor.bounds);
+    fields(wire, monitor.work);
+    wire.flag(monitor.primary);
+    wire.text(monitor.name, longest_name);
+}
+
+void fields(auto& wire, Is<Kind> auto& kind) {
+    wire.text(kind.name, longest_name);
+    fields(wire, kind.box);
+}
+
+void fields(auto& wire, Is<PetView> auto& pet) {
+    wire.whole(pet.key);
+    wire.text(pet.kind, longest_name);
+    wire.text(pet.owner, longest_name);
+    wire.text(pet.tag, longest_name);
+    wire.finite(pet.position);
+    wire.finite(pet.velocity);
+    fields(wire, pet.box);
+    wire.text(pet.state, longest_name);
+    wire.flag(pet.faces_left);
+    wire.optional(pet.spawned_at);
+}
+
+void fields(auto& wire, Is<ScriptWorld> auto& world) {
+    wire.whole(world.now);
+    wire.list(world.pets, most_pets);
+    wire.list(world.monitors, most_monitors);
+    wire.list(world.kinds, most_kinds);
+}
+
+/// Without the pet's id, which means nothing outside the engine.
+void fields(auto& wire, Is<ScriptEvent> auto& event) {
+    wire.choice(event.event.kind, last_event_kind);
+    wire.choice(event.event.side, Side::bottom);
+    wire.choice(event.event.button, Button::middle);
+    wire.finite(event.event.speed);
+    wire.finite(event.event.velocity);
+    wire.text(event.event.tag, longest_name);
+    wire.whole(event.pet);
+}
+
+void fields(auto& wire, Is<SpawnOptions> auto& options) {
+    wire.text(options.kind, longest_name);
+    wire.optional(options.at);
+    fields(wire, options.velocity);
+    wire.text(options.owner, longest_name);
+    wire.text(options.tag, longest_name);
+}
+
+void fields(auto& wire, Is<command::Spawn> auto& spawn) {
+    wire.made_key(spawn.key);
+    fields(wire, spawn.options);
+}
+
+void fields(auto& wire, Is<command::Fling> auto& fling) {
+    wire.whole(fling.pet);
+    fields(wire, fling.velocity);
+}
+
+void fields(auto& wire, Is<command::Push> auto& push) {
+    wire.whole(push.pet);
+    fields(wire, push.change);
+}
+
+void fields(auto& wire, Is<command::Stop> auto& stop) {
+    wire.whole(stop.pet);
+}
+
+void fields(auto& wire, Is<command::Reset> auto& reset) {
+    wire.whole(reset.pet);
+}
+
+void fields(auto& wire, Is<command::MoveTo> auto& move) {
+    wire.whole(move.pet);
+    fields(wire, move.position);
+}
+
+void fields(auto& wire, Is<command::SetTag> auto& set) {
+    wire.whole(set.pet);
+    wire.text(set.tag, longest_name);
+}
+
+void fields(auto& wire, Is<command::Remove> auto& remove) {
+    wire.whole(remove.pet);
+}
+
+void fields(auto& wire, Is<ScriptCommand> auto& command) {
+    wire.alternative(command);
+}
+
+void fields(auto& wire, Is<ScriptLog> auto& log) {
+    wire.choice(log.level, LogLevel::error);
+    wire.line(log.script, longest_name);
+    wire.line(log.text, longest_line);
+}
+
+void fields(auto& wire, Is<std::uint32_t> auto& number) {
+    wire.whole(number);
+}
+
+void fields(auto& wire, Is<ScriptOutput> auto& output) {
+    wire.list(output.commands, most_commands);
+    wire.list(output.log, most_lines);
+    wire.events(output.listening);
+    wire.whole(output.next_wake);
+    wire.list(output.ended, most_scripts);
+}
+
+/// Without what only the other process can know.
+void fields(auto& wire, Is<ScriptLimits> auto& limits) {
+    wire.positive(limits.memory);
+    wire.positive(limits.string);
+    wire.positive(limits.source);
+    wire.positive(limits.chunk);
+    wire.positive(limits.load_units);
+    wire.positive(limits.callback_units);
+    wire.time(limits.load_time);
+    wire.time(limits.callback_time);
+    wire.positive(limits.pets);
+    wire.positive(limits.timers);
+    wire.positive(limits.handlers);
+    wire.positive(limits.waiting);
+    wire.positive(limits.commands);
+    wire.positive(limits.max_speed);
+    wire.positive(limits.name);
+    wire.positive(limits.log_lines_per_second);
+    wire.positive(limits.log_burst);
+    wire.positive(limits.log_line);
+    wire.flag(limits.others_pets);
+    wire.whole(limits.seed);
+}
+
+void fields(auto& wire, Is<Load> auto& load) {
+    fields(wire, load.limits);
+    wire.count(load.scripts, most_scripts);
+}
+
+void fields(auto& wire, Is<ScriptSource> auto& source) {
+    wire.text(source.name, longest_name);
+    wire.text(source.text, longest_source);
+}
+
+void fields(auto& wire, Is<Run> auto& run) {
+    wire.whole(run.number);
+    fields(wire, run.world);
+    wire.list(run.events, most_events);
+}
+
+void fields(auto& wire, Is<Answer> auto& answer) {
+    wire.whole(answer.number);
+    fields(wire, answer.output);
+}
+
+}  // namespace hyrax::wire
