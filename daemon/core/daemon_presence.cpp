@@ -8,7 +8,7 @@ namespace hyrax {
 
 void Daemon::on(const input::FactsChanged& changed) {
     presence_.set_facts(changed.facts);
-    heed_presence(desktop_.now());
+    heed_presence(changed.time);
 }
 
 /// Only a trajectory can be read at a moment hours ahead; the others would have to step there.

@@ -38,8 +38,10 @@ struct MonitorsChanged {};
 /// A file of the profile may have changed: config.json, a script, a sprite set.
 struct FilesChanged {};
 /// Who is in front, or how the machine is, has changed.
+/// `time`: when it was noticed, which may be before the machine slept.
 struct FactsChanged {
     Facts facts;
+    Ticks time = 0;
 };
 /// Scripts in a process of their own have said something, or have ended.
 struct ScriptsHeard {};

@@ -38,7 +38,8 @@ struct Facts {
     bool on_battery = false;
     bool battery_saver = false;
     bool remote_session = false;
-    bool locked = false;  ///< Or disconnected: nobody sees the session.
+    bool locked = false;
+    bool disconnected = false;  ///< The session has no screen: another user's has.
     bool display_off = false;
     bool suspended = false;
     bool animations = true;        ///< The user wants windows to animate.

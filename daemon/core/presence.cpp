@@ -80,7 +80,7 @@ const Decisions& Presence::decide(Ticks now) {
         }
     }
     next.windowless = everywhere_.act == FullScreenAct::hide_everywhere;
-    next.unseen = facts_.locked || facts_.display_off || facts_.suspended;
+    next.unseen = facts_.locked || facts_.disconnected || facts_.display_off || facts_.suspended;
     next.world_stands = next.windowless || (next.unseen && settings_.on_resume == OnResume::go_on);
     next.fps = fastest_refresh();
     if (facts_.on_battery) {

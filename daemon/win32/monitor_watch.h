@@ -6,6 +6,9 @@
 #include "daemon/win32/debounce.h"
 #include "physics/ticks.h"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -28,13 +31,28 @@ public:
         again_at_ = never;
         candidate_.clear();
     }
+    /// The machine has slept: screens may come back one by one, seconds later, and tell nothing.
+    void woke_up(Ticks now) {
+        hint(now);
+        woke_at_ = now;
+        next_look_ = 0;
+    }
     /// When to read the monitors and call `settle`; `never` while nothing happens.
-    Ticks due() const { return std::min(hints_.due(), again_at_); }
+    Ticks due() const {
+        const Ticks look = next_look_ < looks_after_sleep.size()
+                               ? woke_at_ + looks_after_sleep[next_look_]
+                               : never;
+        return std::min({hints_.due(), again_at_, look});
+    }
 
     /// Takes a reading that was due. True when the monitors have changed.
     bool settle(std::vector<Monitor> reading, Ticks now) {
         hints_.take(now);
         again_at_ = never;
+        while (next_look_ < looks_after_sleep.size() &&
+               woke_at_ + looks_after_sleep[next_look_] <= now) {
+            ++next_look_;
+        }
         if (reading.empty()) {
             again_at_ = now + retry_after;
             return false;
@@ -57,11 +75,16 @@ public:
 private:
     static constexpr Ticks confirm_after = 150 * ticks_per_ms;
     static constexpr Ticks retry_after = ticks_per_second;
+    static constexpr std::array<Ticks, 3> looks_after_sleep{
+        ticks_per_second, 5 * ticks_per_second, 10 * ticks_per_second
+    };
 
     std::vector<Monitor> current_;
     std::vector<Monitor> candidate_;  ///< Seen once; empty if none.
     Debounce hints_{300 * ticks_per_ms, 2 * ticks_per_second};
     Ticks again_at_ = never;
+    Ticks woke_at_ = 0;
+    std::size_t next_look_ = looks_after_sleep.size();
 };
 
 }  // namespace hyrax::win32

@@ -3,6 +3,7 @@
 
 #include "daemon/core/coarse_outline.h"
 #include "daemon/win32/process.h"
+#include "daemon/win32/text.h"
 
 #include <spdlog/spdlog.h>
 
@@ -49,7 +50,11 @@ void Overlay::present(const Frame& frame, std::span<const Monitor> monitors, Tic
     for (const Pane& pane : plan_) {
         if (PaneWindow* const window = window_on(pane.monitor)) {
             const auto dirty = dirty_clusters(changed, pane.area, cost_on(pane.area, wine_));
+            const bool appears = !window->visible();
             window->show({pane.area, frame, dirty, renderer_, rows}, counters_);
+            if (appears && hidden_from_capture_) {
+                apply_capture(*window);
+            }
         }
     }
     frame_ = frame;
@@ -115,6 +120,42 @@ void Overlay::use_renderer(Renderer renderer) {
     undrawn_ = true;
     for (const auto& window : windows_) {
         window->forget_pixels();
+    }
+}
+
+/// Said again whenever a window appears: some systems forget it while the window is hidden.
+void Overlay::apply_capture(PaneWindow& window) {
+    const bool done = window.exclude_from_capture(hidden_from_capture_);
+    if (!done && hidden_from_capture_ && !capture_refused_) {
+        spdlog::warn("{}", system_error("captures of the screen show the pets").message);
+    }
+    capture_refused_ = hidden_from_capture_ && !done;
+}
+
+void Overlay::hide_from_capture(bool hidden) {
+    if (hidden == hidden_from_capture_) {
+        return;
+    }
+    hidden_from_capture_ = hidden;
+    capture_refused_ = false;
+    for (const auto& window : windows_) {
+        apply_capture(*window);
+    }
+}
+
+bool Overlay::visible() const {
+    return std::ranges::any_of(windows_, [](const auto& window) { return window->visible(); });
+}
+
+bool Overlay::buried() const {
+    return std::ranges::any_of(windows_, [](const auto& window) { return window->buried(); });
+}
+
+void Overlay::raise() {
+    for (const auto& window : windows_) {
+        if (window->visible()) {
+            window->raise();
+        }
     }
 }
 

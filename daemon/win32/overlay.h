@@ -27,6 +27,16 @@ public:
 
     /// Draws everything anew with another one.
     void use_renderer(Renderer renderer);
+    /// Leaves the panes out of screenshots and recordings, as far as the system obeys.
+    void hide_from_capture(bool hidden);
+    bool capture_refused() const { return capture_refused_; }
+
+    bool visible() const;
+    /// Something that should be below lies above a pane.
+    bool buried() const;
+    void raise();
+    const Frame& frame() const { return frame_; }
+
     /// Everything has to be drawn anew: screens have changed.
     void forget_pixels();
 
@@ -44,6 +54,7 @@ private:
     PaneWindow* find(HWND window) const;
     PaneWindow* window_on(const Rect& monitor);
     void plan(const Frame& frame, std::span<const Monitor> monitors, Ticks now);
+    void apply_capture(PaneWindow& window);
     void retire_windows(const Frame& frame, std::span<const Monitor> monitors);
 
     MessageHandler& handler_;
@@ -54,6 +65,8 @@ private:
     HWND held_ = nullptr;
     bool stale_ = false;    ///< A window must be presented, hidden or removed at once.
     bool undrawn_ = false;  ///< The next present() must draw even an equal frame.
+    bool hidden_from_capture_ = false;
+    bool capture_refused_ = false;
     bool wine_;
     OverlayCounters counters_;
 };

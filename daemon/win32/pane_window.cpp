@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cwchar>
+#include <iterator>
 
 namespace hyrax::win32 {
 
@@ -25,6 +27,18 @@ void render(const PixelView& target, const PanePicture& picture, const Rect& par
     } else {
         compose(target, origin, part, picture.frame);
     }
+}
+
+bool is_taskbar(HWND window) {
+    wchar_t name[64] = L"";
+    ::GetClassNameW(window, name, static_cast<int>(std::size(name)));
+    return std::wcscmp(name, L"Shell_TrayWnd") == 0 ||
+           std::wcscmp(name, L"Shell_SecondaryTrayWnd") == 0;
+}
+
+bool overlaps(const RECT& rect, const Rect& area) {
+    return rect.left < area.right() && rect.right > area.x && rect.top < area.bottom() &&
+           rect.bottom > area.y;
 }
 
 }  // namespace
@@ -166,6 +180,43 @@ void PaneWindow::show_nothing(OverlayCounters& counters) {
         blank_ = present(nullptr, counters);
         complete_ = false;
     }
+}
+
+bool PaneWindow::exclude_from_capture(bool exclude) {
+    return ::SetWindowDisplayAffinity(window(), exclude ? WDA_EXCLUDEFROMCAPTURE : WDA_NONE) != 0;
+}
+
+void PaneWindow::raise() {
+    ::SetWindowPos(
+        window(),
+        HWND_TOPMOST,
+        0,
+        0,
+        0,
+        0,
+        SWP_NOMOVE | SWP_NOSIZE | SWP_NOACTIVATE | SWP_NOOWNERZORDER
+    );
+}
+
+bool PaneWindow::buried() const {
+    if (!visible_) {
+        return false;
+    }
+    if ((::GetWindowLongPtrW(window(), GWL_EXSTYLE) & WS_EX_TOPMOST) == 0) {
+        return true;
+    }
+    // Windows come and go meanwhile: the walk has an end in any case.
+    constexpr int most_above = 1000;
+    HWND above = ::GetWindow(window(), GW_HWNDPREV);
+    for (int i = 0; above != nullptr && i < most_above; ++i) {
+        RECT place{};
+        if (is_taskbar(above) && ::IsWindowVisible(above) != 0 &&
+            ::GetWindowRect(above, &place) != 0 && overlaps(place, area_)) {
+            return true;
+        }
+        above = ::GetWindow(above, GW_HWNDPREV);
+    }
+    return false;
 }
 
 bool PaneWindow::has_pixel_at(Point point) const {

@@ -48,6 +48,12 @@ public:
     void hide();
     /// Stays visible for the system, but without a pixel.
     void show_nothing(OverlayCounters& counters);
+    /// Leaves the window out of what programs capture of the screen. False: the system refuses.
+    bool exclude_from_capture(bool exclude);
+    /// Above all other windows, again.
+    void raise();
+    /// No longer topmost, or below a taskbar that lies where the pane is.
+    bool buried() const;
     /// The next show() draws everything: the system may have lost what it had.
     void forget_pixels() { complete_ = false; }
 

@@ -85,6 +85,12 @@ std::optional<LRESULT> Pointer::press(HWND pane, HWND capturer, Button button) {
     return 0;
 }
 
+void Pointer::give_up() {
+    if (held_) {
+        ::ReleaseCapture();
+    }
+}
+
 void Pointer::move(WPARAM held_keys) {
     if (!held_) {
         return;

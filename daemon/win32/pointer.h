@@ -17,6 +17,8 @@ public:
     Pointer(Overlay& overlay, std::vector<Input>& inbox) : overlay_(overlay), inbox_(inbox) {}
 
     std::optional<LRESULT> on_pane_message(HWND pane, HWND capturer, UINT message);
+    /// Lets go of the mouse, as if another program had taken it.
+    void give_up();
     std::optional<LRESULT> on_capturer_message(
         HWND capturer, UINT message, WPARAM wparam, LPARAM lparam
     );

@@ -19,6 +19,14 @@ Rect rect_from(const RECT& rect) {
     };
 }
 
+/// [Hz]; 0 or 1 where the display does not tell.
+int refresh_rate_of(const wchar_t* device) {
+    DEVMODEW mode{};
+    mode.dmSize = sizeof mode;
+    const bool known = ::EnumDisplaySettingsW(device, ENUM_CURRENT_SETTINGS, &mode) != 0;
+    return known ? static_cast<int>(mode.dmDisplayFrequency) : 0;
+}
+
 BOOL CALLBACK add_monitor(HMONITOR handle, HDC, RECT*, LPARAM list) noexcept {
     MONITORINFOEXW info{};
     info.cbSize = sizeof info;
@@ -32,6 +40,7 @@ BOOL CALLBACK add_monitor(HMONITOR handle, HDC, RECT*, LPARAM list) noexcept {
             .primary = (info.dwFlags & MONITORINFOF_PRIMARY) != 0,
             .name = utf8(info.szDevice),
             .scale = monitor_scale(handle),
+            .refresh_rate = refresh_rate_of(info.szDevice),
         });
     } catch (const std::exception&) {
         return FALSE;

@@ -40,6 +40,9 @@ std::wstring tip_text(const Status& status) {
     if (!status.problem.empty()) {
         text += "\n" + status.problem;
     }
+    if (!status.note.empty()) {
+        text += "\n" + status.note;
+    }
     return std::wstring(shortened(wide(text), std::size(NOTIFYICONDATAW{}.szTip) - 1));
 }
 

@@ -49,6 +49,8 @@ Result<void> Win32Desktop::start() {
     ::ChangeWindowMessageFilterEx(daemon_.raw(), taskbar_created_, MSGFLT_ALLOW, nullptr);
     about_.emplace(daemon_.raw(), modal_message);
     tray_.emplace(daemon_.raw(), tray_message, shell_notify, clock_now());
+    front_.emplace(daemon_.raw());
+    machine_.emplace(daemon_.raw(), clock_now(), facts_);
     return {};
 }
 
@@ -117,7 +119,7 @@ void Win32Desktop::drain_messages() {
 }
 
 Ticks Win32Desktop::chores_due() const {
-    return std::min({files_.due(), screens_.due(), overlay_.due(), tray_->due()});
+    return std::min({files_.due(), screens_.due(), overlay_.due(), tray_->due(), presence_due()});
 }
 
 void Win32Desktop::do_chores() {
@@ -125,11 +127,12 @@ void Win32Desktop::do_chores() {
     if (files_.check(time)) {
         inbox_.emplace_back(input::FilesChanged{});
     }
-    if (time >= screens_.due() && screens_.settle(options_.monitors(), time)) {
+    if (time >= screens_.due() && screens_.settle(read_screens(), time)) {
         overlay_.forget_pixels();
         inbox_.emplace_back(input::MonitorsChanged{});
     }
     tray_->retry(time);
+    look_around(time);
     if (time >= overlay_.due()) {
         overlay_.present_again(screens_.current(), time);
     }

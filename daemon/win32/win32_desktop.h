@@ -5,10 +5,14 @@
 #include "daemon/core/desktop.h"
 #include "daemon/core/result.h"
 #include "daemon/core/statistics.h"
+#include "daemon/core/topmost.h"
 #include "daemon/win32/about_box.h"
 #include "daemon/win32/clock.h"
 #include "daemon/win32/folder_watch.h"
+#include "daemon/win32/front_watch.h"
+#include "daemon/win32/machine_watch.h"
 #include "daemon/win32/message_window.h"
+#include "daemon/win32/messages.h"
 #include "daemon/win32/monitor_watch.h"
 #include "daemon/win32/overlay.h"
 #include "daemon/win32/pointer.h"
@@ -18,6 +22,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,6 +40,7 @@ struct Win32DesktopOptions {
     std::function<std::vector<Request>(const std::vector<std::string>&)> parse_arguments;
     /// A test may bring its own screens.
     std::function<std::vector<Monitor>()> monitors = read_monitors;
+    bool for_testing = false;  ///< Another program may tell facts by test_fact_message.
 };
 
 class Win32Desktop final : public Desktop, private MessageHandler {
@@ -57,6 +63,7 @@ public:
     void use_renderer(Renderer renderer) override { overlay_.use_renderer(renderer); }
     std::vector<Monitor> monitors() override;
     void show_status(const Status& status) override;
+    void follow(const Conduct& conduct) override;
 
 private:
     explicit Win32Desktop(Win32DesktopOptions options);
@@ -70,6 +77,15 @@ private:
     std::optional<LRESULT> on_message(HWND window, UINT message, WPARAM wparam, LPARAM lparam)
         override;
     std::optional<LRESULT> on_daemon_message(UINT message, WPARAM wparam, LPARAM lparam);
+    // win32_desktop_presence.cpp
+    Ticks presence_due() const;
+    void look_around(Ticks time);
+    void keep_on_top(Ticks time);
+    void notice(UINT message, WPARAM wparam, LPARAM lparam);
+    void take_test_fact(TestFact fact, LPARAM value);
+    void tell_facts(Ticks time);
+    std::vector<Monitor> read_screens() const;
+
     void ask(Request request);
     void on_screens_hint();
     bool on_handed_over(LPARAM copy_data);
@@ -94,6 +110,12 @@ private:
     bool menu_open_ = false;
     bool waiting_ = false;
     bool closing_ = false;
+    Facts facts_;
+    Facts told_facts_;
+    Conduct conduct_;
+    TopmostKeeper topmost_;
+    bool little_power_ = false;
+    std::size_t most_screens_ = std::numeric_limits<std::size_t>::max();
 
     Alarm alarm_;
     FolderWatch files_;
@@ -103,6 +125,8 @@ private:
     Pointer pointer_;
     std::optional<AboutBox> about_;
     std::optional<TrayIcon> tray_;
+    std::optional<FrontWatch> front_;
+    std::optional<MachineWatch> machine_;
 };
 
 }  // namespace hyrax::win32

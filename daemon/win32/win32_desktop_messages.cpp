@@ -30,6 +30,7 @@ std::optional<LRESULT> Win32Desktop::on_message(
         tell_statistics_();
         return 0;
     }
+    notice(message, wparam, lparam);
     if (const auto answer = on_daemon_message(message, wparam, lparam)) {
         return answer;
     }
@@ -63,6 +64,8 @@ std::optional<LRESULT> Win32Desktop::on_daemon_message(UINT message, WPARAM wpar
             tray_->renew(clock_now());
             on_screens_hint();
             return 0;
+        case WM_POWERBROADCAST:
+            return TRUE;
         case WM_QUERYENDSESSION:
             return TRUE;
         case WM_ENDSESSION:

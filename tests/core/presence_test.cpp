@@ -244,7 +244,10 @@ TEST_CASE("frames: no more than the fastest screen shows, fewer on battery, fewe
 
 TEST_CASE("an unseen session draws nothing; its time stands still or goes on") {
     for (const Facts& facts :
-         {Facts{.locked = true}, Facts{.display_off = true}, Facts{.suspended = true}}) {
+         {Facts{.locked = true},
+          Facts{.disconnected = true},
+          Facts{.display_off = true},
+          Facts{.suspended = true}}) {
         const Decisions still = World().told(facts);
         CHECK(still.unseen);
         CHECK(still.world_stands);

@@ -26,6 +26,10 @@ Facts filling(const Rect& bounds, std::string program = {}) {
     return {.windows = {window}, .first_is_front = true};
 }
 
+void tell(RecordedDaemon& recorded, double seconds, const Facts& facts) {
+    recorded.at(seconds, input::FactsChanged{facts, from_seconds(seconds)});
+}
+
 const Pet& pet_number(const Daemon& daemon, std::size_t number) {
     std::vector<const Pet*> pets;
     daemon.engine().for_each([&](PetId, const Pet& pet) { pets.push_back(&pet); });
@@ -40,7 +44,7 @@ TEST_CASE("a film on one screen: its pets wait unseen, the others fly on") {
     recorded.config(R"({"pets": {"start": [{"x": 300, "y": 0}, {"x": 2300, "y": 0}]},
                         "physics": {"gravity": 100}})");
     Vec2 waiting;
-    recorded.at(1.0, input::FactsChanged{filling(side_bounds)});
+    tell(recorded, 1.0, filling(side_bounds));
     recorded.look(1.25, [](const Daemon& daemon) { CHECK(daemon.frame().kept_free.empty()); });
     recorded.look(1.35, [&](const Daemon& daemon) {
         CHECK(daemon.frame().kept_free == std::vector{side_bounds});
@@ -53,7 +57,7 @@ TEST_CASE("a film on one screen: its pets wait unseen, the others fly on") {
         CHECK(pet_number(daemon, 0).position().y > 300.0);
         CHECK(recorded.desktop.statuses().back().note.contains("fills the screen"));
     });
-    recorded.at(4.0, input::FactsChanged{});
+    tell(recorded, 4.0, {});
     recorded.look(4.95, [&](const Daemon& daemon) {
         CHECK(daemon.frame().kept_free == std::vector{side_bounds});
     });
@@ -70,7 +74,7 @@ TEST_CASE("a film on one screen: its pets wait unseen, the others fly on") {
 TEST_CASE("a film alone on the desk wakes the daemon for nothing") {
     RecordedDaemon recorded(600.0);
     recorded.config(R"({"pets": {"start": [{"x": 300, "y": 0}]}})");
-    recorded.at(0.2, input::FactsChanged{filling(main_bounds)});
+    tell(recorded, 0.2, filling(main_bounds));
     std::size_t wakeups = 0;
     std::size_t presents = 0;
     // The only monitor of the recorded desktop has no taskbar.
@@ -90,14 +94,14 @@ TEST_CASE("a guarded program: no sprite anywhere, and the whole world waits") {
     recorded.config(R"({"pets": {"start": [{"x": 300, "y": 0}]},
         "overlay": {"fullscreen_rules": [{"exe": "guarded.exe", "do": "hide_everywhere"}]}})");
     recorded.script("timer.lua", "hyrax.after(5, function() hyrax.spawn{} end)");
-    recorded.at(0.2, input::FactsChanged{filling({10, 10, 300, 300}, "guarded.exe")});
+    tell(recorded, 0.2, filling({10, 10, 300, 300}, "guarded.exe"));
     recorded.look(0.25, [&](const Daemon& daemon) {
         CHECK(daemon.frame().sprites.empty());
         CHECK(recorded.desktop.conduct().let_go);
         CHECK(recorded.desktop.conduct().name_programs);
         CHECK_FALSE(recorded.desktop.statuses().back().paused);
     });
-    recorded.at(20.0, input::FactsChanged{});
+    tell(recorded, 20.0, {});
     recorded.look(20.9, [](const Daemon& daemon) {
         CHECK(daemon.engine().size() == 1);
         CHECK(daemon.frame().sprites.empty());
@@ -120,7 +124,7 @@ TEST_CASE("nothing happens in a locked session, and later all goes on or has gon
             "overlay": {"on_resume": ")") +
             (catches_up ? "catch_up" : "go_on") + "\"}}"
         );
-        recorded.at(1.0, input::FactsChanged{{.locked = true}});
+        tell(recorded, 1.0, {.locked = true});
         std::size_t wakeups = 0;
         std::size_t presents = 0;
         recorded.look(1.1, [&](const Daemon&) {
@@ -132,7 +136,7 @@ TEST_CASE("nothing happens in a locked session, and later all goes on or has gon
             CHECK(recorded.desktop.presents() == presents);
             CHECK(recorded.desktop.conduct().front == Watch::off);
         });
-        recorded.at(1007.0, input::FactsChanged{});
+        tell(recorded, 1007.0, {});
         recorded.look(1007.1, [&](const Daemon& daemon) {
             // From wall to wall and back takes 2 * (1920 - 108) px.
             const double way = 50.0 * (catches_up ? 1007.1 : 1.1);
@@ -150,8 +154,8 @@ TEST_CASE("the laws that step do not catch up: they go on") {
     recorded.config(R"({"pets": {"start": [{"x": 300, "y": 0, "vx": 50}]},
         "physics": {"integrator": "semi_implicit_euler_fixed", "gravity": 0, "air_drag": 1},
         "overlay": {"on_resume": "catch_up"}})");
-    recorded.at(1.0, input::FactsChanged{{.suspended = true}});
-    recorded.at(1001.0, input::FactsChanged{});
+    tell(recorded, 1.0, {.suspended = true});
+    tell(recorded, 1001.0, {});
     recorded.look(1001.1, [](const Daemon& daemon) {
         CHECK(pet_number(daemon, 0).position().x == doctest::Approx(355.0).epsilon(0.02));
     });
@@ -164,7 +168,7 @@ TEST_CASE("fewer frames on battery, and the same flight") {
         RecordedDaemon recorded(4.0);
         recorded.config(R"({"pets": {"start": [{"x": 0, "y": 0, "vx": 200}]},
             "physics": {"gravity": 0, "air_drag": 1}, "overlay": {"fps_on_battery": 20}})");
-        recorded.at(0.0, input::FactsChanged{facts});
+        tell(recorded, 0.0, facts);
         recorded.run();
         return std::pair(recorded.desktop.presents(), pet_number(*recorded.daemon, 0).position().x);
     };
@@ -203,7 +207,7 @@ TEST_CASE("with reduced motion pets sit still, scripts do not stir them, throws 
             for _, pet in ipairs(hyrax.pets{ all = true }) do pet:push(0, -500) end
         end)
     )");
-    recorded.at(0.0, input::FactsChanged{{.animations = false}});
+    tell(recorded, 0.0, {.animations = false});
     std::size_t presents = 0;
     recorded.look(5.0, [&](const Daemon& daemon) {
         CHECK(pet_number(daemon, 0).motion == Motion::settled);
@@ -226,7 +230,21 @@ TEST_CASE("a refused exclusion from captures is told") {
         CHECK(recorded.desktop.conduct().hide_from_capture);
         CHECK(recorded.desktop.statuses().back().problem.empty());
     });
-    recorded.at(1.0, input::FactsChanged{{.capture_refused = true}});
+    tell(recorded, 1.0, {.capture_refused = true});
     recorded.run();
     CHECK(recorded.desktop.statuses().back().problem.contains("hide_from_capture"));
+}
+
+TEST_CASE("sleep is told late, when it is over, and costs the pets no time") {
+    RecordedDaemon recorded(1002.0);
+    recorded.config(R"({"pets": {"start": [{"x": 300, "y": 0, "vx": 50}]},
+        "physics": {"gravity": 0, "air_drag": 1}})");
+    const Ticks asleep = from_seconds(1.0);
+    const Ticks awake = from_seconds(1001.0);
+    // No frame in between: the machine sleeps, and with it the daemon.
+    recorded.at(0.99, input::FactsChanged{{.display_off = true}, from_seconds(0.99)});
+    recorded.at(1001.0, input::FactsChanged{{.suspended = true}, asleep});
+    recorded.at(1001.0, input::FactsChanged{{}, awake});
+    recorded.run();
+    CHECK(std::fabs(pet_number(*recorded.daemon, 0).position().x - 400.0) < 3.0);
 }

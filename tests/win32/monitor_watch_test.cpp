@@ -72,3 +72,14 @@ TEST_CASE("a start without monitors asks until there are some") {
     CHECK(run_until(watch, screens(1), 10'000 * ms) == 1);
     CHECK(watch.current() == screens(1));
 }
+
+TEST_CASE("after sleep there are a few more looks, for screens that come back late") {
+    MonitorWatch watch(screens(2), 0);
+    watch.woke_up(0);
+    CHECK(run_until(watch, screens(1), 700 * ms) == 1);
+    CHECK(watch.due() == 1'000 * ms);
+    CHECK(run_until(watch, screens(1), 4'000 * ms) == 0);
+    CHECK(run_until(watch, screens(2), 6'000 * ms) == 1);
+    CHECK(run_until(watch, screens(2), 60'000 * ms) == 0);
+    CHECK(watch.due() == never);
+}
