@@ -14,7 +14,7 @@ Image dotted(Size size, unsigned seed) {
     Image image(size);
     std::mt19937 random(seed);
     for (Pixel& pixel : image.pixels) {
-        pixel = random() % 9 == 0 ? 0xff000000U | (random() & 0xffffffU) : 0U;
+        pixel = random() % 9 == 0 ? 0x80000000U | (random() & 0x7f7f7fU) : 0U;
     }
     return image;
 }

@@ -41,6 +41,21 @@ Sprite sprite_of(const Image& image, std::uint32_t index, Point at) {
 
 const std::vector<Monitor> two_screens{screen({0, 0, 800, 600}), screen({-640, -100, 640, 480})};
 
+/// Pixels of both screens that are not as in a picture of the whole frame.
+int differing_pixels(const MemoryOverlay& overlay, const Frame& frame) {
+    const Image whole = picture(frame, two_screens);
+    int different = 0;
+    for (const Monitor& monitor : two_screens) {
+        const Rect& area = monitor.bounds;
+        for (int y = area.y; y < area.bottom(); ++y) {
+            for (int x = area.x; x < area.right(); ++x) {
+                different += overlay.at({x, y}) != whole.at(x + 640, y + 100) ? 1 : 0;
+            }
+        }
+    }
+    return different;
+}
+
 }  // namespace
 
 TEST_CASE("panes in memory show what a picture of the whole frame shows") {
@@ -65,20 +80,25 @@ TEST_CASE("panes in memory show what a picture of the whole frame shows") {
             overlay.present_again(two_screens, now);
         }
         overlay.present(frame, two_screens, now);
-        const Image whole = picture(frame, two_screens);
-        int different = 0;
-        for (const Monitor& monitor : two_screens) {
-            const Rect& area = monitor.bounds;
-            for (int y = area.y; y < area.bottom(); ++y) {
-                for (int x = area.x; x < area.right(); ++x) {
-                    different += overlay.at({x, y}) != whole.at(x + 640, y + 100) ? 1 : 0;
-                }
-            }
-        }
-        REQUIRE(different == 0);
+        REQUIRE(differing_pixels(overlay, frame) == 0);
     }
     CHECK(overlay.counters().frames == 150);
     CHECK(overlay.counters().presents >= 150);
+}
+
+TEST_CASE("a pane that shrinks while nothing moves still shows its pets") {
+    const Image image = disc(48);
+    MemoryOverlay overlay;
+    const Frame apart{{sprite_of(image, 1, {620, 420}), sprite_of(image, 2, {20, 20})}};
+    const Frame together{{sprite_of(image, 1, {620, 420}), sprite_of(image, 2, {640, 400})}};
+    overlay.present(apart, two_screens, 0);
+    overlay.present(together, two_screens, ticks_per_ms);
+    const std::uint64_t resizes = overlay.counters().resizes;
+    while (overlay.due() != never) {
+        overlay.present_again(two_screens, overlay.due());
+        CHECK(differing_pixels(overlay, together) == 0);
+    }
+    CHECK(overlay.counters().resizes == resizes + 1);
 }
 
 TEST_CASE("equal frames present nothing") {
