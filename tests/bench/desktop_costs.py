@@ -166,20 +166,26 @@ def one(rows, pets, state, fps=FAST):
     return next(row for row in rows if (row["pets"], row["state"], row["fps"]) == (pets, state, fps))
 
 
+def at_its_rate(row, key):
+    """Core that the process would take if the busy machine had let it draw every frame."""
+    return row[f"{key}_core"] * max(1.0, row["fps"] / max(row["frames"], 1e-9))
+
+
 def goals(data):
     """(goal, limit, measured, met)"""
     native, on_wine, machine = data["headless"], data["wine"], data["machine"][0]
     moving, slow = one(native, 100, "moving"), one(on_wine, 100, "moving", SLOW)
-    total = slow["process_core"] + slow["wineserver_core"] + slow["X_core"]
+    flying = at_its_rate(moving, "process")
+    parts = [at_its_rate(slow, key) for key in ("process", "wineserver", "X")]
+    total = sum(parts)
     resting = [row for rows in (native, on_wine) for row in rows if row["state"] == "rest"]
     woken = max(row["presents"] + row["timer_wakeups"] for row in resting)
     starts = {name: data[f"{name}-start"][0]["start"] for name in ("headless", "wine")}
     yield ("engine, planners and composition, 100 pets moving at 60 Hz, native", "<= 0.02 core",
-           f"{moving['process_core']:.4f} core", moving["process_core"] <= 0.02)  # fmt: skip
+           f"{core(flying)} core", flying <= 0.02)  # fmt: skip
     yield ("all at rest: presents and timer wake-ups", "0", f"{woken:.1f} a second", woken == 0)
-    yield (f"`hyrax.exe` under Wine, 100 pets at 25 Hz: process + wineserver + X", f"< {SHIJIMA} core",
-           f"{total:.3f} core ({slow['process_core']:.3f} + {slow['wineserver_core']:.3f} + {slow['X_core']:.3f})",
-           total < SHIJIMA)  # fmt: skip
+    yield ("`hyrax.exe` under Wine, 100 pets at 25 Hz: process + wineserver + X", f"< {SHIJIMA} core",
+           f"{total:.2f} core ({' + '.join(core(part) for part in parts)})", total < SHIJIMA)  # fmt: skip
     yield ("resident memory, 100 pets of one kind, native", "<= 30 MB", f"{moving['resident'] / 1e6:.1f} MB",
            moving["resident"] <= 30e6)  # fmt: skip
     yield ("process start to first frame, native", "<= 100 ms", f"{1000 * starts['headless']:.0f} ms",

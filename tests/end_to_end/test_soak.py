@@ -19,7 +19,8 @@ import desktop
 import wine
 
 PETS = 22
-SAMPLES = 24
+MOST_SAMPLES = 24
+SECONDS_BETWEEN = 6  # at least: a sample starts programs, which takes one or two
 MOST_GROWTH = 1e6  # bytes, between the medians of the second and of the last quarter
 WM_DISPLAYCHANGE = 0x7E
 
@@ -72,8 +73,9 @@ def soak(desk, options):
     )  # fmt: skip
     desktop.wait_for(lambda: (folder / "hyrax.log").exists(), 60, "the log")
     samples, saves, begin = [], 0, time.monotonic()
-    while len(samples) < SAMPLES:
-        due = begin + options.minutes * 60 * (len(samples) + 1) / SAMPLES
+    count = max(8, min(MOST_SAMPLES, int(options.minutes * 60 / SECONDS_BETWEEN)))
+    while len(samples) < count:
+        due = begin + options.minutes * 60 * (len(samples) + 1) / count
         while time.monotonic() < due:
             saves += 1
             (folder / "config.json").write_text(config(saves))
