@@ -39,6 +39,8 @@ public:
     Ticks now() override;
     std::vector<Input> wait(Ticks deadline) override;
     void present(const Frame& frame) override;
+    /// There is one renderer here.
+    void use_renderer(Renderer) override {}
     std::vector<Monitor> monitors() override { return monitors_; }
     void show_status(const Status&) override {}
 
