@@ -119,6 +119,7 @@ int run_daemon(const Places& places, const DaemonCommandLine& line, const std::w
         .config_file = places.profile.config,
         .instance_name = instance,
         .parse_arguments = requests_of,
+        .for_testing = line.common.for_testing,
     });
     if (!desktop) {
         return fail(desktop.error());

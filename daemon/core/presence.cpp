@@ -115,9 +115,14 @@ FullScreenAct Presence::wanted_on(const Monitor& monitor) const {
     if (facts_.shell == ShellState::presenting) {
         return settings_.full_screen;
     }
-    if (facts_.shell == ShellState::exclusive && works_on(monitor)) {
+    if (facts_.shell == ShellState::exclusive) {
         const FrontWindow* const window = front();
-        return window != nullptr ? act_for(*window) : settings_.full_screen;
+        if (window == nullptr && monitor.primary) {
+            return settings_.full_screen;
+        }
+        if (window != nullptr && works_on(monitor)) {
+            return act_for(*window);
+        }
     }
     for (const FrontWindow& window : facts_.windows) {
         // A film keeps its screen while the user works on another one, not below a window that
@@ -147,11 +152,12 @@ const FrontWindow* Presence::front() const {
     return known ? &facts_.windows.front() : nullptr;
 }
 
-/// The front window lies on this monitor more than on any other. Without one: the primary.
+/// The front window lies on this monitor more than on any other. The desktop and what else is the
+/// shell's hides no other window.
 bool Presence::works_on(const Monitor& monitor) const {
     const FrontWindow* const window = front();
     if (window == nullptr || !could_be_in_the_way(*window)) {
-        return monitor.primary;
+        return false;
     }
     const auto share = [window](const Rect& bounds) {
         return intersection(window->bounds, bounds).area();

@@ -44,7 +44,7 @@ void MemoryOverlay::present_again(std::span<const Monitor> monitors, Ticks now) 
 }
 
 void MemoryOverlay::plan(const Frame& frame, std::span<const Monitor> monitors, Ticks now) {
-    plan_ = plan_panes(monitors, places_of(frame), plan_, now);
+    plan_ = plan_panes(monitors, places_of(frame), plan_, now, frame.kept_free);
     std::erase_if(shown_, [this](const Shown& shown) {
         return std::ranges::find(plan_, shown.monitor, &Pane::monitor) == plan_.end();
     });

@@ -162,9 +162,14 @@ TEST_CASE("a film keeps its screen while the user works on another one") {
     // Below a window that was called on its own screen it does not.
     const FrontWindow before_it = window({2000, 100, 800, 600});
     CHECK(World().told({.windows = {before_it, film}, .first_is_front = true}).kept_free.empty());
-    // When the user is with us or with nobody, it is the primary screen that is worked on.
+    // While the user is with us, with nobody or with the shell, it goes on.
     CHECK(World().told({.windows = {film}}).kept_free == Rects{side_bounds});
-    CHECK(World().told({.windows = {window(main_bounds)}}).kept_free.empty());
+    FrontWindow desk = window({0, 0, 3200, 1080});
+    desk.window_class = "Progman";
+    CHECK(
+        World().told({.windows = {desk, film}, .first_is_front = true}).kept_free ==
+        Rects{side_bounds}
+    );
 }
 
 TEST_CASE("what the shell says counts only where it can be trusted") {
