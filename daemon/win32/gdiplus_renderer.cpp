@@ -71,7 +71,11 @@ void compose_with_gdiplus(
     graphics.SetClip(Gdiplus::Rect(local.x, local.y, local.width, local.height));
     graphics.SetInterpolationMode(Gdiplus::InterpolationModeNearestNeighbor);
     graphics.SetPixelOffsetMode(Gdiplus::PixelOffsetModeHalf);
-    graphics.Clear(Gdiplus::Color(0, 0, 0, 0));
+    // Replaces what is there: a transparent colour over it would change nothing.
+    const Gdiplus::SolidBrush clear(Gdiplus::Color(0, 0, 0, 0));
+    graphics.SetCompositingMode(Gdiplus::CompositingModeSourceCopy);
+    graphics.FillRectangle(&clear, local.x, local.y, local.width, local.height);
+    graphics.SetCompositingMode(Gdiplus::CompositingModeSourceOver);
     for (const Sprite& sprite : frame.sprites) {
         if (!intersection(sprite.bounds(), area).empty()) {
             draw(graphics, sprite, {sprite.at.x - origin.x, sprite.at.y - origin.y});

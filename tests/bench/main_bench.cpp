@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // hyrax-bench: the figures behind docs/numerics.md.
+#include "tests/bench/bench_compose.h"
 #include "tests/bench/bench_energy.h"
 #include "tests/bench/bench_frame_rate.h"
 #include "tests/bench/bench_identity.h"
@@ -138,6 +139,7 @@ void add_all(CLI::App& app, Options& options) {
         ->add_option("--frames", options.frames, "How many")
         ->check(CLI::Range(1L, 1'000'000'000L));
     app.add_subcommand("frame-rate", "The same throw at different frame rates");
+    app.add_subcommand("compose", "Drawing a hundred sprites into a pane");
     app.add_subcommand("springs", "How time steppers follow a cursor on a spring");
     app.add_subcommand("throughput", "The document's step for many bodies");
     app.add_subcommand("identity", "Whether the kernels give the bits of the document's class")
@@ -173,6 +175,9 @@ bool run(const std::string& bench, const Options& options, int argc, const char*
     if (bench == "scene-cost") {
         Meter meter = make_meter(options, argc, argv);
         scene_cost(table, csv, meter);
+    } else if (bench == "compose") {
+        Meter meter = make_meter(options, argc, argv);
+        compose_crowd(table, csv, meter);
     } else if (bench == "stability") {
         stability(table, csv);
     } else if (bench == "energy") {

@@ -227,6 +227,22 @@ TEST_CASE("above its limit the atlas drops what was shown longest ago, and nothi
     CHECK(atlas.bytes() <= 3 * cell_bytes);
 }
 
+TEST_CASE("a picture of the frame before stays, whatever the limit") {
+    const SpriteSet set = striped_set();
+    constexpr std::size_t cell_bytes = 16 * 16 * sizeof(Pixel);
+    Atlas atlas(cell_bytes);
+    const auto show = [&](int cell) { return atlas.cell(set, 0, cell, false, {16, 16}).image; };
+    const Image* const first = show(0);
+    atlas.begin_frame();
+    const Image* const second = show(1);
+    CHECK(first->pixels.size() == 16 * 16);
+    CHECK(atlas.bytes() == 2 * cell_bytes);
+    atlas.begin_frame();
+    show(2);
+    CHECK(second->pixels.size() == 16 * 16);
+    CHECK(atlas.bytes() == 2 * cell_bytes);
+}
+
 TEST_CASE("a scaled pet stands with its feet on its box's bottom edge") {
     const std::vector<SpriteSet> sets{striped_set()};
     Engine engine(kinds_of(sets), {.physics = {.gravity = 0.0, .air_drag = 1.0}}, 1);
