@@ -19,6 +19,9 @@ namespace hyrax {
 /// In the order of FloorEdge.
 inline constexpr std::array<std::string_view, 2> floor_names{"work_area", "screen"};
 
+/// In the order of LedgeMode.
+inline constexpr std::array<std::string_view, 3> ledge_names{"off", "active", "all"};
+
 /// In the order of Integrator.
 inline constexpr std::array<std::string_view, 6> integrator_names{
     "event_driven",
@@ -48,6 +51,7 @@ using Slot = std::variant<
     std::size_t*,
     std::string*,
     FloorEdge*,
+    LedgeMode*,
     Integrator*,
     std::vector<std::string>*,
     std::vector<StartPets>*>;

@@ -65,6 +65,7 @@ struct SlotReader {
         assign(*slot, field.choices.empty() ? value.name() : value.choice(field.choices));
     }
     void operator()(FloorEdge* slot) const { choose(*slot); }
+    void operator()(LedgeMode* slot) const { choose(*slot); }
     void operator()(Integrator* slot) const { choose(*slot); }
     void operator()(std::vector<std::string>* slot) const {
         fill(*slot, [](const JsonValue& item) { return item.path_pattern(); });
@@ -152,6 +153,7 @@ struct SlotType {
     std::string_view operator()(const std::size_t*) const { return "integer"; }
     std::string_view operator()(const std::string*) const { return "string"; }
     std::string_view operator()(const FloorEdge*) const { return "string"; }
+    std::string_view operator()(const LedgeMode*) const { return "string"; }
     std::string_view operator()(const Integrator*) const { return "string"; }
     std::string_view operator()(const std::vector<std::string>*) const { return "array"; }
     std::string_view operator()(const std::vector<StartPets>*) const { return "array"; }
@@ -162,6 +164,9 @@ struct SlotDefault {
     std::string operator()(const std::optional<double>*) const { return {}; }
     std::string operator()(const FloorEdge* slot) const {
         return json(floor_names[static_cast<std::size_t>(*slot)]).dump();
+    }
+    std::string operator()(const LedgeMode* slot) const {
+        return json(ledge_names[static_cast<std::size_t>(*slot)]).dump();
     }
     std::string operator()(const Integrator* slot) const {
         return json(integrator_names[static_cast<std::size_t>(*slot)]).dump();

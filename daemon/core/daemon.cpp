@@ -48,11 +48,13 @@ void Daemon::draw(Ticks now) {
     changed_ = false;
     welcome();
     const bool swinging = engine_.advance_held(now);
+    mind_windows();
     if (!clock_.paused()) {
         engine_.advance(world);
         scripts_.run(engine_, monitors_, world);
         changed_ = engine_.has_events();
     }
+    mind_windows();
     Staged next = staged(engine_, sets_, world, from_seconds(config_.drowsy_after));
     if (next.frame != frame_) {
         frame_ = std::move(next.frame);

@@ -55,6 +55,7 @@ private:
     void on(const input::PointerLost& lost);
     void on(const input::MonitorsChanged& changed);
     void on(const input::FilesChanged& changed);
+    void on(const input::WindowsChanged& changed);
     void on(const Request& request);
 
     void carry_out(const request::Spawn& spawn);
@@ -74,6 +75,10 @@ private:
     void read_scripts();
     void use_monitors();
 
+    // daemon_ledges.cpp
+    void mind_windows();
+    void read_windows();
+
     void draw(Ticks now);
     void welcome();
     void report();
@@ -91,6 +96,7 @@ private:
     std::vector<Request> first_requests_;
 
     std::vector<Monitor> monitors_;
+    WindowInterest windows_;
     std::vector<ScriptSource> sources_;
     WorldClock clock_;
     Pacer pacer_;

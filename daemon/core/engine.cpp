@@ -217,6 +217,7 @@ void Engine::fling_all() {
 void Engine::set_arena(Arena arena) {
     const std::vector<Rect> former = arena_.boxes();
     arena_ = std::move(arena);
+    lay_ledges();
     emit({.kind = EventKind::monitors});
     measure_spaces();
     if (arena_.empty()) {
