@@ -5,6 +5,7 @@
 #include "daemon/headless/headless_desktop.h"
 #include "daemon/headless/monitor_list.h"
 #include "daemon/headless/png_file.h"
+#include "daemon/headless/window_list.h"
 #include "daemon/script/script_host.h"
 
 #include <fmt/format.h>
@@ -89,6 +90,13 @@ int run(const hyrax::HeadlessCommandLine& line) {
     }
 
     hyrax::HeadlessDesktop desktop(*monitors, hyrax::from_seconds(line.seconds));
+    if (line.windows) {
+        auto windows = hyrax::load_windows(*line.windows);
+        if (!windows) {
+            return failed(windows.error());
+        }
+        desktop.set_windows(*std::move(windows));
+    }
     hyrax::Daemon daemon(desktop, std::move(options));
     const auto begin = std::chrono::steady_clock::now();
     daemon.run();

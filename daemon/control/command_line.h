@@ -38,6 +38,7 @@ struct HeadlessCommandLine {
     double seconds = 10.0;  ///< Virtual, 0 to 1e6.
     std::optional<double> fps;
     std::string monitors = "1920x1080+0+0";
+    std::optional<std::filesystem::path> windows;
     std::optional<std::filesystem::path> snapshot;
 };
 
