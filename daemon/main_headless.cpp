@@ -9,6 +9,7 @@
 #include "daemon/headless/png_file.h"
 #include "daemon/headless/process_use.h"
 #include "daemon/headless/real_time_desktop.h"
+#include "daemon/headless/window_list.h"
 #include "daemon/script/script_host.h"
 
 #include <fmt/format.h>
@@ -148,6 +149,13 @@ int run(const hyrax::HeadlessCommandLine& line) {
         return run_on(desktop, *monitors, std::move(options), line);
     }
     hyrax::HeadlessDesktop desktop(*monitors, span);
+    if (line.windows) {
+        auto windows = hyrax::load_windows(*line.windows);
+        if (!windows) {
+            return failed(windows.error());
+        }
+        desktop.set_windows(*std::move(windows));
+    }
     return run_on(desktop, *monitors, std::move(options), line);
 }
 

@@ -22,6 +22,7 @@ struct Raw {
     std::string profile;
     std::string config;
     std::vector<std::string> scripts;
+    std::string windows;
     std::string snapshot;
 };
 
@@ -149,6 +150,12 @@ std::variant<HeadlessCommandLine, Farewell> parse_headless_arguments(
            "WIDTHxHEIGHT+X+Y[@SCALE][,...]; the first one is the primary"
     )
         ->capture_default_str();
+    app.add_option(
+        "--windows",
+        raw.windows,
+        "A CSV file of other programs' windows: time,id,x,y,width,height[,active hidden overlay "
+        "bar maximised]; the lines of one time are all of them, the topmost first"
+    );
     app.add_option("--snapshot", raw.snapshot, "Write the last frame to this PNG file");
     if (std::optional<Farewell> farewell = parse(app, arguments)) {
         return *std::move(farewell);
@@ -156,6 +163,7 @@ std::variant<HeadlessCommandLine, Farewell> parse_headless_arguments(
     line.common.trace = given(raw.trace);
     line.common.statistics = given(raw.statistics);
     line.config = given(raw.config);
+    line.windows = given(raw.windows);
     line.snapshot = given(raw.snapshot);
     for (const std::string& script : raw.scripts) {
         line.scripts.push_back(path_of(script));

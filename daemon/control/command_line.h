@@ -40,6 +40,7 @@ struct HeadlessCommandLine {
     bool real_time = false;  ///< Else the clock is virtual.
     std::optional<double> fps;
     std::string monitors = "1920x1080+0+0";
+    std::optional<std::filesystem::path> windows;
     std::optional<std::filesystem::path> snapshot;
 };
 

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hyrax {
@@ -34,8 +35,13 @@ public:
 
     const std::vector<Rect>& boxes() const { return boxes_; }
     bool empty() const { return boxes_.empty(); }
+    /// Floors besides those of the boxes.
+    void set_ledges(std::vector<Ledge> ledges) { ledges_ = std::move(ledges); }
     /// Where a pet of this size may be: the union of the boxes has no walls inside.
-    FreeSpace space_for(Size size) const { return FreeSpace::among(boxes_, size); }
+    FreeSpace space_for(Size size) const {
+        const FreeSpace space = FreeSpace::among(boxes_, size);
+        return ledges_.empty() ? space : space.with_ledges(ledges_, size);
+    }
     /// Bounding box of all boxes; may hold places that no monitor shows.
     Rect bounds() const;
     /// The box that holds the point, else the nearest one. The arena must not be empty.
@@ -55,6 +61,7 @@ public:
 private:
     std::vector<Rect> boxes_;
     std::vector<double> scales_;  // By box.
+    std::vector<Ledge> ledges_;
 };
 
 }  // namespace hyrax

@@ -5,6 +5,7 @@
 #include "daemon/core/arena.h"
 #include "daemon/core/engine.h"
 #include "daemon/core/frame.h"
+#include "daemon/core/ledges.h"
 #include "daemon/core/presence.h"
 #include "daemon/core/result.h"
 
@@ -32,6 +33,7 @@ struct Config {
     double drowsy_after = 8.0;        ///< A still pet lies down after this time [s].
     double fps = 60.0;                ///< Frames a second while something moves, 1 to 1000.
     FloorEdge floor = FloorEdge::work_area;
+    LedgeMode ledges = LedgeMode::off;
     PresenceSettings presence{};
     double opacity = 1.0;  ///< Of all pets, least_opacity to 1.
     Renderer renderer = Renderer::blit;

@@ -238,6 +238,15 @@ constexpr std::array config_keys{
         renderer_names
     },
     Field<Config>{
+        "/overlay/ledges",
+        [](Config& c) -> Slot { return Choice(c.ledges); },
+        {},
+        "",
+        "Windows whose tops pets land and rest on: none (off), the one in the foreground (active) "
+        "or all.",
+        ledge_names
+    },
+    Field<Config>{
         "/scripts/run",
         [](Config& c) -> Slot { return &c.scripts; },
         {0, 1000},

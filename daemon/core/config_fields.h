@@ -33,6 +33,9 @@ inline constexpr std::array<std::string_view, 3> motion_names{"auto", "on", "off
 /// In the order of Renderer.
 inline constexpr std::array<std::string_view, 2> renderer_names{"blit", "gdiplus"};
 
+/// In the order of LedgeMode.
+inline constexpr std::array<std::string_view, 3> ledge_names{"off", "active", "all"};
+
 /// In the order of Integrator.
 inline constexpr std::array<std::string_view, 6> integrator_names{
     "event_driven",

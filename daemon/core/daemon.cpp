@@ -57,11 +57,13 @@ void Daemon::draw(Ticks now) {
     const Ticks world = clock_.at(now);
     welcome();
     const bool swinging = engine_.advance_held(now);
+    mind_windows();
     if (!clock_.paused()) {
         engine_.advance(world);
         scripts_.run(engine_, monitors_, world);
         changed_ = engine_.has_events();
     }
+    mind_windows();
     Staged next;
     if (!so.windowless) {
         next = staged(

@@ -59,6 +59,7 @@ private:
     void on(const input::FilesChanged& changed);
     void on(const input::FactsChanged& changed);
     void on(const input::ScriptsHeard& heard);
+    void on(const input::WindowsChanged& changed);
     void on(const Request& request);
 
     void carry_out(const request::Spawn& spawn);
@@ -77,6 +78,10 @@ private:
     void read_kinds();
     void read_scripts();
     void use_monitors();
+
+    // daemon_ledges.cpp
+    void mind_windows();
+    void read_windows();
 
     // daemon_presence.cpp
     void use_presence_settings();
@@ -101,6 +106,7 @@ private:
     std::vector<Request> first_requests_;
 
     std::vector<Monitor> monitors_;
+    WindowInterest windows_;
     std::vector<ScriptSource> sources_;
     WorldClock clock_;
     Pacer pacer_;

@@ -31,6 +31,7 @@ void Daemon::read_config() {
         spdlog::warn("{}", warning);
     }
     const bool floor_moved = loaded->config.floor != config_.floor;
+    const bool ledges_changed = loaded->config.ledges != config_.ledges;
     config_ = loaded->config;
     config_.fps = fps_.value_or(config_.fps);
     spdlog::set_level(spdlog::level::from_str(config_.log_level));
@@ -49,6 +50,9 @@ void Daemon::read_config() {
     desktop_.use_renderer(config_.renderer);
     if (floor_moved) {
         use_monitors();
+    }
+    if (ledges_changed) {
+        read_windows();
     }
 }
 
@@ -90,6 +94,7 @@ void Daemon::use_monitors() {
     monitors_ = std::move(monitors);
     engine_.set_arena(Arena(monitors_, config_.floor));
     presence_.set_monitors(monitors_);
+    read_windows();
 }
 
 }  // namespace hyrax

@@ -6,9 +6,11 @@
 #include "daemon/core/event.h"
 #include "daemon/core/facts.h"
 #include "daemon/core/frame.h"
+#include "daemon/core/ledges.h"
 #include "daemon/core/request.h"
 #include "physics/ticks.h"
 
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -45,6 +47,8 @@ struct FactsChanged {
 };
 /// Scripts in a process of their own have said something, or have ended.
 struct ScriptsHeard {};
+/// Windows of other programs came, went, moved or changed their order.
+struct WindowsChanged {};
 }  // namespace input
 
 using Input = std::variant<
@@ -56,7 +60,15 @@ using Input = std::variant<
     input::FilesChanged,
     input::FactsChanged,
     input::ScriptsHeard,
+    input::WindowsChanged,
     Request>;
+
+/// What the daemon wants to hear of other programs' windows.
+struct WindowInterest {
+    bool any = false;                      ///< Changes come as WindowsChanged.
+    std::vector<std::uint64_t> underfoot;  ///< Pets stand on these: their every move counts.
+    bool operator==(const WindowInterest&) const = default;
+};
 
 /// What the user sees of the daemon's state without any window: the tray's tip and menu.
 struct Status {
@@ -103,6 +115,10 @@ public:
     virtual void use_renderer(Renderer renderer) = 0;
     /// May be empty for a moment while screens change.
     virtual std::vector<Monitor> monitors() = 0;
+    /// The topmost first. A desktop without windows need not know of them.
+    virtual std::vector<DesktopWindow> windows() { return {}; }
+    /// Nothing is of interest at first.
+    virtual void watch_windows(const WindowInterest&) {}
     /// Called when the status has changed.
     virtual void show_status(const Status& status) = 0;
     /// Called when the conduct has changed.

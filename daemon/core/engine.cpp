@@ -229,6 +229,7 @@ void Engine::fling_all() {
 void Engine::set_arena(Arena arena) {
     const std::vector<Rect> former = arena_.boxes();
     arena_ = std::move(arena);
+    lay_ledges();
     emit({.kind = EventKind::monitors});
     spaces_.set_arena(arena_);
     mind_screens();

@@ -4,6 +4,7 @@
 
 #include "daemon/core/arena.h"
 #include "daemon/core/event.h"
+#include "daemon/core/ledges.h"
 #include "daemon/core/pet.h"
 #include "daemon/core/result.h"
 #include "daemon/core/slot_map.h"
@@ -136,6 +137,15 @@ public:
     /// Pets outside the new arena move to the nearest place in it; nobody is lost.
     void set_arena(Arena arena);
     const Arena& arena() const { return arena_; }
+    /// What else pets stand on. Who stands on a window that has moved gently moves with it; who has
+    /// lost his footing falls; who flies flies on, to the bit where nothing changes that it meets.
+    /// semi_implicit_euler knows no ledges.
+    void set_ledges(std::vector<LedgeSegment> ledges);
+    const std::vector<LedgeSegment>& ledges() const { return ledges_; }
+    /// The windows that pets stand on, sorted.
+    std::vector<std::uint64_t> windows_underfoot() const;
+    /// True if a pet may come onto a ledge before anything happens from outside.
+    bool may_meet_ledges() const { return knows_ledges() && (moving() || !held_.empty()); }
     /// Takes effect with the next frame, for pets in flight as well. Fails, and changes nothing, on
     /// constants that no law can have.
     [[nodiscard]] Result<void> configure(const EngineSettings& settings);
@@ -191,6 +201,15 @@ private:
     void put(PetId id, Pet& pet, Vec2 position);
     void follow_screen(PetId id, Pet& pet, Ticks now);
     void mind_screens();
+    // engine_ledges.cpp
+    struct Footing;
+    bool knows_ledges() const;
+    BodyState state_in_space(const Pet& pet) const;
+    Contact next_contact_of(const Pet& pet) const;
+    const LedgeSegment* ledge_under(const Pet& pet) const;
+    void lay_ledges();
+    void find_footing(const Footing& before, Pet& pet);
+
     void place(Pet& pet, Vec2 position);
     void set_in_motion(PetId id, Pet& pet, Vec2 velocity);
     void launch(PetId id, Pet& pet, Vec2 velocity);
@@ -210,6 +229,7 @@ private:
     EngineSettings settings_;
     MotionRules rules_;
     Arena arena_;
+    std::vector<LedgeSegment> ledges_;  // The topmost window's first.
     Spaces spaces_;
     bool screens_differ_ = false;  // A pet may change its size as it moves.
     SlotMap<Pet> pets_;

@@ -4,6 +4,7 @@
 #include "daemon/core/blit.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace hyrax {
@@ -21,14 +22,37 @@ void HeadlessDesktop::add(TimedInput input) {
     inputs_.insert(place, std::move(input));
 }
 
+std::vector<DesktopWindow> HeadlessDesktop::windows() {
+    const auto next = std::ranges::upper_bound(windows_, now_, {}, &TimedWindows::time);
+    return next == windows_.begin() ? std::vector<DesktopWindow>{} : std::prev(next)->windows;
+}
+
+void HeadlessDesktop::watch_windows(const WindowInterest& interest) {
+    if (interest.any && !interest_.any) {
+        told_ = now_;
+    }
+    interest_ = interest;
+}
+
+// When the next change will be told.
+Ticks HeadlessDesktop::window_change() const {
+    const auto next = std::ranges::upper_bound(windows_, told_, {}, &TimedWindows::time);
+    return interest_.any && next != windows_.end() ? next->time : never;
+}
+
 std::vector<Input> HeadlessDesktop::wait(Ticks deadline) {
     const Ticks input_time = next_ < inputs_.size() ? inputs_[next_].time : never;
-    const Ticks wake = std::min({deadline, input_time, end_});
+    const Ticks window_time = window_change();
+    const Ticks wake = std::min({deadline, input_time, window_time, end_});
     now_ = std::max(now_, wake == never ? now_ : wake);
     if (wake == never || (now_ >= end_ && input_time > end_)) {
         return {Request{request::Quit{}}};
     }
     std::vector<Input> due;
+    if (window_time <= now_) {
+        told_ = now_;
+        due.emplace_back(input::WindowsChanged{});
+    }
     for (; next_ < inputs_.size() && inputs_[next_].time <= now_; ++next_) {
         if (inputs_[next_].before) {
             inputs_[next_].before();

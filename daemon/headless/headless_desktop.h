@@ -4,9 +4,11 @@
 
 #include "daemon/core/desktop.h"
 #include "daemon/core/statistics.h"
+#include "daemon/headless/window_list.h"
 
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace hyrax {
@@ -29,12 +31,19 @@ public:
     /// Does not tell the daemon: add an input::MonitorsChanged for that.
     void set_monitors(std::vector<Monitor> monitors) { monitors_ = std::move(monitors); }
 
+    /// Windows of other programs, in the order of time. Changes are told while they are of
+    /// interest.
+    void set_windows(std::vector<TimedWindows> windows) { windows_ = std::move(windows); }
+    const WindowInterest& interest() const { return interest_; }
+
     Ticks now() override { return now_; }
     std::vector<Input> wait(Ticks deadline) override;
     void present(const Frame& frame) override;
     /// Frames are remembered, not drawn.
     void use_renderer(Renderer renderer) override { renderer_ = renderer; }
     std::vector<Monitor> monitors() override { return monitors_; }
+    std::vector<DesktopWindow> windows() override;
+    void watch_windows(const WindowInterest& interest) override;
     void show_status(const Status& status) override { statuses_.push_back(status); }
 
     void follow(const Conduct& conduct) override { conduct_ = conduct; }
@@ -50,7 +59,12 @@ public:
     const std::vector<Status>& statuses() const { return statuses_; }
 
 private:
+    Ticks window_change() const;
+
     std::vector<Monitor> monitors_;
+    std::vector<TimedWindows> windows_;
+    WindowInterest interest_;
+    Ticks told_ = 0;                  // Changes of windows up to here are known to the daemon.
     std::vector<TimedInput> inputs_;  ///< Sorted by time; those before next_ are done.
     std::size_t next_ = 0;
     Ticks now_ = 0;

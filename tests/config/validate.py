@@ -104,6 +104,7 @@ class Config(unittest.TestCase):
             "/pets/start/0/kind": "../hyrax",
             "/pets/start/0/x": 5,  # without y
             "/overlay/floor": "ceiling",
+            "/overlay/ledges": True,
             "/overlay/fps": None,
             "/scripts/run": "*.lua",
             "/scripts/run/0": "a/../../b.lua",

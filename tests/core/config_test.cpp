@@ -107,7 +107,7 @@ TEST_CASE("config: every key arrives where it belongs") {
                     "rest_threshold": 7},
         "pets": {"start": [{"kind": "cat", "count": 2, "x": 1.5, "y": -2, "vx": 3, "vy": 4}, {}],
                  "max": 9, "max_speed": 10, "max_throw_speed": 11, "drowsy_after": 12},
-        "overlay": {"fps": 30.5, "floor": "screen"},
+        "overlay": {"fps": 30.5, "floor": "screen", "ledges": "active"},
         "scripts": {"run": ["a.lua", "examples/b*.lua"]},
         "log": {"level": "warn"}
     })");
@@ -128,6 +128,7 @@ TEST_CASE("config: every key arrives where it belongs") {
     expected.drowsy_after = 12;
     expected.fps = 30.5;
     expected.floor = FloorEdge::screen;
+    expected.ledges = LedgeMode::active;
     expected.scripts = {"a.lua", "examples/b*.lua"};
     expected.log_level = "warn";
     CHECK(config == expected);

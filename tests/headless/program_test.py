@@ -103,6 +103,20 @@ class Program(unittest.TestCase):
         self.assertEqual(done.returncode, 0)
         self.assertIn("error: wrong.lua:2: oh no", done.stderr)
 
+    def test_windows_come_from_a_file(self):
+        config, windows, trace = self.folder / "config.json", self.folder / "windows.csv", self.folder / "t.csv"
+        config.write_text('{"overlay": {"ledges": "all"}, "pets": {"start": [{"x": 500, "y": 100}]}}')
+        windows.write_text("# one window\n0,7,400,600,500,300\n")
+        done = run("--config", config, "--windows", windows, "--seconds", 8, "--trace", trace)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        last = list(csv.DictReader(trace.open()))[-1]
+        self.assertEqual((float(last["x"]), last["motion"]), (500, "settled"))
+        self.assertLess(float(last["y"]), 600)
+        windows.write_text("0,7,400,600,500\n")
+        wrong = run("--windows", windows)
+        self.assertEqual(wrong.returncode, 1)
+        self.assertIn("windows.csv:1: expected time,id,x,y,width,height", wrong.stderr)
+
     def test_wrong_options_end_with_2(self):
         self.assertEqual(run("--nonsense").returncode, 2)
         self.assertEqual(run("--seconds", "-1").returncode, 2)
