@@ -15,9 +15,15 @@ struct Monitor {
     Rect bounds;
     Rect work;  ///< Without the taskbar.
     bool primary = false;
-    std::string name;  ///< For people; identity across changes is not promised.
+    std::string name;  ///< For people; may change when the machine sleeps.
+    std::string id{};  ///< Of the device, the same at every start; may be empty.
     bool operator==(const Monitor&) const = default;
 };
+
+/// What settings remember a monitor by.
+inline const std::string& identity(const Monitor& monitor) {
+    return monitor.id.empty() ? monitor.name : monitor.id;
+}
 
 /// What pets stand on at the bottom of a monitor.
 enum class FloorEdge { work_area, screen };

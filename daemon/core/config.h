@@ -2,6 +2,7 @@
 // config.json as values.
 #pragma once
 
+#include "daemon/core/allowed.h"
 #include "daemon/core/arena.h"
 #include "daemon/core/engine.h"
 #include "daemon/core/result.h"
@@ -30,6 +31,8 @@ struct Config {
     double drowsy_after = 8.0;        ///< A still pet lies down after this time [s].
     double fps = 60.0;                ///< Frames a second while something moves, 1 to 1000.
     FloorEdge floor = FloorEdge::work_area;
+    AllowedSettings allowed{};                  ///< Where pets may be.
+    bool quiet = false;                         ///< Until the user says otherwise.
     std::vector<std::string> scripts{"*.lua"};  ///< Names in the scripts folder; * and ? match.
     std::string log_level = "info";             ///< trace, debug, info, warn, error or off.
     bool operator==(const Config&) const = default;
@@ -47,7 +50,7 @@ struct LoadedConfig {
 /// One key of config.json, as it is read; config/schema.json tells editors the same.
 struct ConfigField {
     std::string path;  ///< JSON pointer, in which * stands for each item of a list.
-    std::string type;  ///< As JSON Schema names it: number, integer, string or array.
+    std::string type;  ///< As JSON Schema names it: number, integer, boolean, string or array.
     double low = 0.0;  ///< Least number, or least count of an array's items.
     double high = 0.0;
     std::vector<std::string> choices;  ///< Of a string that is not free.

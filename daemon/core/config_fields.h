@@ -42,6 +42,7 @@ struct Ignored {};
 /// Where a value goes; the type decides how it is read.
 using Slot = std::variant<
     Ignored,
+    bool*,
     double*,
     std::optional<double>*,
     int*,
@@ -50,6 +51,8 @@ using Slot = std::variant<
     FloorEdge*,
     Integrator*,
     std::vector<std::string>*,
+    std::vector<MonitorName>*,
+    std::optional<Rect>*,
     std::vector<StartPets>*>;
 
 struct FieldRange {

@@ -18,6 +18,7 @@ Daemon::Daemon(Desktop& desktop, DaemonOptions options)
       scripts_(std::move(options.scripts)),
       trace_(std::move(options.trace)),
       first_requests_(std::move(options.requests)) {
+    recall();
     read_config();
     read_kinds();
     use_monitors();
@@ -44,6 +45,9 @@ void Daemon::run_due() {
 }
 
 void Daemon::draw(Ticks now) {
+    if (remembered_.hidden) {
+        show_when_due(now);
+    }
     const Ticks world = clock_.at(now);
     changed_ = false;
     welcome();
@@ -53,7 +57,10 @@ void Daemon::draw(Ticks now) {
         scripts_.run(engine_, monitors_, world);
         changed_ = engine_.has_events();
     }
-    Staged next = staged(engine_, sets_, world, from_seconds(config_.drowsy_after));
+    Staged next;
+    if (!remembered_.hidden) {
+        next = staged(engine_, sets_, world, from_seconds(config_.drowsy_after));
+    }
     if (next.frame != frame_) {
         frame_ = std::move(next.frame);
         desktop_.present(frame_);
@@ -65,7 +72,7 @@ void Daemon::draw(Ticks now) {
     pacer_.drawn(now);
     const Ticks wake = clock_.machine_time(std::min(next.next_change, scripts_.next_wake()));
     const bool every_frame = swinging || (engine_.moving() && !clock_.paused());
-    next_frame_ = every_frame ? pacer_.next() : std::max(wake, pacer_.next());
+    next_frame_ = every_frame ? pacer_.next() : std::max(std::min(wake, show_at_), pacer_.next());
 }
 
 void Daemon::welcome() {
@@ -85,19 +92,35 @@ void Daemon::welcome() {
     for (const Request& request : std::exchange(first_requests_, {})) {
         on(request);
     }
+    if (quiet()) {
+        settle();
+    }
+    greet();
+}
+
+std::string Daemon::problem() const {
+    if (!config_problem_.empty()) {
+        return config_problem_;
+    }
+    for (const std::vector<std::string>* list : {&kind_problems_, &script_problems_}) {
+        if (!list->empty()) {
+            return list->front();
+        }
+    }
+    return place_problem_;
 }
 
 void Daemon::report() {
-    std::string problem = config_problem_;
-    for (const std::vector<std::string>* list : {&kind_problems_, &script_problems_}) {
-        if (problem.empty() && !list->empty()) {
-            problem = list->front();
-        }
-    }
-    const Status status{engine_.size(), clock_.paused(), std::move(problem)};
+    Status status{
+        .pets = engine_.size(),
+        .paused = paused_,
+        .hidden = remembered_.hidden,
+        .quiet = quiet(),
+        .problem = problem(),
+    };
     if (status != shown_status_) {
-        shown_status_ = status;
-        desktop_.show_status(status);
+        shown_status_ = std::move(status);
+        desktop_.show_status(shown_status_);
     }
 }
 

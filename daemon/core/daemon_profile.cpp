@@ -30,7 +30,8 @@ void Daemon::read_config() {
     for (const std::string& warning : loaded->warnings) {
         spdlog::warn("{}", warning);
     }
-    const bool floor_moved = loaded->config.floor != config_.floor;
+    const bool places_moved =
+        loaded->config.floor != config_.floor || loaded->config.allowed != config_.allowed;
     config_ = loaded->config;
     config_.fps = fps_.value_or(config_.fps);
     spdlog::set_level(spdlog::level::from_str(config_.log_level));
@@ -46,7 +47,8 @@ void Daemon::read_config() {
         config_.fps
     );
     pacer_.set_rate(config_.fps);
-    if (floor_moved) {
+    keep_quiet();
+    if (places_moved) {
         use_monitors();
     }
 }
@@ -72,6 +74,13 @@ void Daemon::read_scripts() {
         }
         script_problems_ = std::move(loaded.problems);
     }
+    script_names_.clear();
+    for (const ScriptSource& source : loaded.sources) {
+        script_names_.push_back(source.name);
+    }
+    std::erase_if(loaded.sources, [this](const ScriptSource& source) {
+        return remembered_.scripts_off.contains(source.name);
+    });
     if (loaded.sources != sources_) {
         sources_ = std::move(loaded.sources);
         scripts_.load(sources_);
@@ -85,7 +94,13 @@ void Daemon::use_monitors() {
         spdlog::warn("no monitor is known; keeping the arena as it was");
         return;
     }
-    monitors_ = std::move(monitors);
+    all_monitors_ = std::move(monitors);
+    AllowedPlaces places = allowed_places(all_monitors_, config_.allowed, remembered_.monitors);
+    if (!places.warning.empty() && places.warning != place_problem_) {
+        spdlog::warn("{}", places.warning);
+    }
+    place_problem_ = std::move(places.warning);
+    monitors_ = std::move(places.monitors);
     engine_.set_arena(Arena(monitors_, config_.floor));
 }
 

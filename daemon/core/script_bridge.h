@@ -5,7 +5,11 @@
 #include "daemon/core/engine.h"
 #include "daemon/core/script_port.h"
 
+#include <map>
 #include <memory>
+#include <set>
+#include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -21,6 +25,11 @@ public:
     /// Hands over the engine's events, runs what is due at `now` and applies the commands. A
     /// command that fails is logged; one for a pet that has gone meanwhile is dropped.
     void run(Engine& engine, const std::vector<Monitor>& monitors, Ticks now);
+    /// Scripts run on, but what moves or spawns pets is refused, with a warning for each verb.
+    void set_quiet(bool quiet);
+    bool quiet() const { return quiet_; }
+    /// The latest error of each script since load(), by the script's name.
+    const std::map<std::string, std::string>& errors() const { return errors_; }
     /// When run() has something to do, apart from events.
     Ticks next_wake() const { return next_wake_; }
 
@@ -30,11 +39,15 @@ private:
     ScriptWorld snapshot(const Engine& engine, const std::vector<Monitor>& monitors, Ticks now)
         const;
     void apply(Engine& engine, const ScriptCommand& command);
+    bool refuses(const ScriptCommand& command);
     void forget_removed(const Engine& engine);
 
     std::unique_ptr<ScriptHost> host_;
     bool loaded_ = false;
+    bool quiet_ = false;
     Ticks next_wake_ = never;
+    std::set<std::string_view> refused_;  // Verbs that have been told of.
+    std::map<std::string, std::string> errors_;
     // Pets that scripts spawned, both ways; all others have keys made from their ids.
     std::unordered_map<PetKey, PetId> made_;
     std::unordered_map<PetKey, PetKey> made_key_of_;

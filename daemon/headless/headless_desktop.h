@@ -6,6 +6,9 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace hyrax {
@@ -33,12 +36,20 @@ public:
     void present(const Frame& frame) override;
     std::vector<Monitor> monitors() override { return monitors_; }
     void show_status(const Status& status) override { statuses_.push_back(status); }
+    void show_menu(MenuItems menu, Point) override { menus_.push_back(std::move(menu)); }
+    void greet(const std::string& text) override { greetings_.push_back(text); }
+    std::optional<Point> pointer() override { return pointer_; }
+    /// The clock starts at noon of the first of January 2026, UTC.
+    WallTime wall_time() override { return {1'767'268'800 + now_ / ticks_per_second, 0}; }
+    void set_pointer(Point at) { pointer_ = at; }
 
     const Frame& last_frame() const { return frame_; }
     std::size_t presents() const { return presents_; }
     /// How often wait() came back because its deadline had come.
     std::size_t timer_wakeups() const { return timer_wakeups_; }
     const std::vector<Status>& statuses() const { return statuses_; }
+    const std::vector<MenuItems>& menus() const { return menus_; }
+    const std::vector<std::string>& greetings() const { return greetings_; }
 
 private:
     std::vector<Monitor> monitors_;
@@ -50,6 +61,9 @@ private:
     std::size_t presents_ = 0;
     std::size_t timer_wakeups_ = 0;
     std::vector<Status> statuses_;
+    std::vector<MenuItems> menus_;
+    std::vector<std::string> greetings_;
+    std::optional<Point> pointer_;
 };
 
 /// The frame over the bounding box of the monitors, transparent where no pet is.
