@@ -61,6 +61,17 @@ void add_common(CLI::App& app, CommonOptions& common, Raw& raw) {
         app, common, "--reset-all", request::ResetAll{}, "Put every pet back where it was spawned"
     );
     add_request(app, common, "--remove-all", request::RemoveAll{}, "Remove every pet");
+    add_request(app, common, "--gather", request::Gather{}, "Call every pet to this monitor");
+    add_request(app, common, "--hide", request::Hide{}, "Hide all pets until they are shown");
+    add_request(app, common, "--show", request::Show{}, "Show them again");
+    app.add_option_function<std::string>(
+           "--quiet",
+           [&common](const std::string& word) {
+               common.requests.emplace_back(request::SetQuiet{word == "on"});
+           },
+           "Pets sit still, and scripts may not move them"
+    )
+        ->check(CLI::IsMember({"on", "off"}));
     add_request(app, common, "--pause", request::SetPaused{true}, "Freeze pets and scripts");
     add_request(app, common, "--resume", request::SetPaused{false}, "Let them go on");
     add_request(
@@ -110,6 +121,7 @@ std::variant<DaemonCommandLine, Farewell> parse_daemon_arguments(
     Raw raw;
     add_common(app, line.common, raw);
     add_request(app, line.common, "--quit", request::Quit{}, "End the running daemon");
+    app.add_flag("--autostart", line.autostart, "For the entry that starts hyrax at logon");
     app.add_option("--profile", raw.profile, "Folder of config.json, scripts and sprites");
     if (std::optional<Farewell> farewell = parse(app, arguments)) {
         return *std::move(farewell);

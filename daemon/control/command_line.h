@@ -30,6 +30,7 @@ struct CommonOptions {
 struct DaemonCommandLine {
     CommonOptions common;
     std::optional<std::filesystem::path> profile;  ///< Instead of the user's own folder.
+    bool autostart = false;  ///< Started by the session: a second such start asks for nothing.
 };
 
 struct HeadlessCommandLine {

@@ -17,11 +17,17 @@ struct Monitor {
     Rect bounds;
     Rect work;  ///< Without the taskbar.
     bool primary = false;
-    std::string name;      ///< For people; identity across changes is not promised.
+    std::string name;      ///< For people; may change when the machine sleeps.
+    std::string id{};      ///< Of the device, the same at every start; may be empty.
     double scale = 1.0;    ///< How much larger the system shows things there: DPI / 96.
     int refresh_rate = 0;  ///< [Hz], cut to a whole number; 0 or 1: not known.
     bool operator==(const Monitor&) const = default;
 };
+
+/// What settings remember a monitor by.
+inline const std::string& identity(const Monitor& monitor) {
+    return monitor.id.empty() ? monitor.name : monitor.id;
+}
 
 /// What pets stand on at the bottom of a monitor.
 enum class FloorEdge { work_area, screen };

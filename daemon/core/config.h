@@ -2,6 +2,7 @@
 // config.json as values.
 #pragma once
 
+#include "daemon/core/allowed.h"
 #include "daemon/core/arena.h"
 #include "daemon/core/engine.h"
 #include "daemon/core/frame.h"
@@ -37,6 +38,8 @@ struct Config {
     PresenceSettings presence{};
     double opacity = 1.0;  ///< Of all pets, least_opacity to 1.
     Renderer renderer = Renderer::blit;
+    AllowedSettings allowed{};                  ///< Where pets may be.
+    bool quiet = false;                         ///< Until the user says otherwise.
     std::vector<std::string> scripts{"*.lua"};  ///< Names in the scripts folder; * and ? match.
     std::string log_level = "info";             ///< trace, debug, info, warn, error or off.
     bool operator==(const Config&) const = default;

@@ -247,6 +247,30 @@ constexpr std::array config_keys{
         ledge_names
     },
     Field<Config>{
+        "/overlay/allowed_monitors",
+        [](Config& c) -> Slot { return &c.allowed.monitors; },
+        {0, 100},
+        "",
+        "Monitors that pets may be on: numbers from 1 (the primary one) or names; [] is all. The "
+        "tray menu's choices come first."
+    },
+    Field<Config>{
+        "/overlay/allowed_area",
+        [](Config& c) -> Slot { return &c.allowed.area; },
+        {0, 4},
+        "px",
+        "The part of the desktop that pets may be in: [x, y, width, height] from the top left "
+        "corner of the main screen; [] is all of it."
+    },
+    Field<Config>{
+        "/overlay/quiet",
+        [](Config& c) -> Slot { return &c.quiet; },
+        {},
+        "",
+        "Pets sit still: scripts may not move them nor spawn any, only the hand may. The tray "
+        "menu's choice comes first."
+    },
+    Field<Config>{
         "/scripts/run",
         [](Config& c) -> Slot { return &c.scripts; },
         {0, 1000},

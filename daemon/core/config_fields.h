@@ -90,6 +90,8 @@ using Slot = std::variant<
     std::string*,
     Choice,
     std::vector<std::string>*,
+    std::vector<MonitorName>*,
+    std::optional<Rect>*,
     std::vector<StartPets>*,
     std::vector<FullScreenRule>*>;
 

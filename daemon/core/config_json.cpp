@@ -6,6 +6,7 @@
 #include "daemon/core/files.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <utility>
 #include <variant>
@@ -48,6 +49,40 @@ std::optional<FullScreenRule> read_full_screen_rule(const JsonValue& value) {
     return rule;
 }
 
+std::optional<MonitorName> read_monitor_name(const JsonValue& value) {
+    const json& raw = value.located().value;
+    if (raw.is_string() && !raw.get_ref<const std::string&>().empty()) {
+        return MonitorName{raw.get<std::string>()};
+    }
+    if (raw.is_string() || !raw.is_number()) {
+        value.expected("must be the number or the name of a monitor");
+        return std::nullopt;
+    }
+    const std::optional<int> number = value.whole_number(1, 100);
+    return number ? std::optional(MonitorName{std::to_string(*number)}) : std::nullopt;
+}
+
+std::optional<Rect> read_area(const JsonValue& value) {
+    const auto items = value.items(0, 4);
+    if (!items || items->empty()) {
+        return std::nullopt;
+    }
+    if (items->size() != 4) {
+        value.expected("must be [x, y, width, height] or []");
+        return std::nullopt;
+    }
+    constexpr int most = 1'000'000;
+    std::array<int, 4> numbers{};
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const std::optional<int> number = (*items)[i].whole_number(i < 2 ? -most : 1, most);
+        if (!number) {
+            return std::nullopt;
+        }
+        numbers[i] = *number;
+    }
+    return Rect{numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
 // A value that does not pass leaves the slot as it was, and an error.
 template <typename Info>
 struct SlotReader {
@@ -62,10 +97,10 @@ struct SlotReader {
     }
 
     void operator()(Ignored) const {}
-    void operator()(bool* slot) const { assign(*slot, value.flag()); }
     void operator()(double* slot) const {
         assign(*slot, value.number(field.range.low, field.range.high));
     }
+    void operator()(bool* slot) const { assign(*slot, value.flag()); }
     void operator()(std::optional<double>* slot) const {
         *slot = value.number(field.range.low, field.range.high);
     }
@@ -83,6 +118,8 @@ struct SlotReader {
     void operator()(std::vector<std::string>* slot) const {
         fill(*slot, [](const JsonValue& item) { return item.path_pattern(); });
     }
+    void operator()(std::vector<MonitorName>* slot) const { fill(*slot, read_monitor_name); }
+    void operator()(std::optional<Rect>* slot) const { *slot = read_area(value); }
     void operator()(std::vector<StartPets>* slot) const { fill(*slot, read_start_item); }
     void operator()(std::vector<FullScreenRule>* slot) const { fill(*slot, read_full_screen_rule); }
 
@@ -160,6 +197,8 @@ struct SlotType {
     std::string_view operator()(const std::string*) const { return "string"; }
     std::string_view operator()(const Choice&) const { return "string"; }
     std::string_view operator()(const std::vector<std::string>*) const { return "array"; }
+    std::string_view operator()(const std::vector<MonitorName>*) const { return "array"; }
+    std::string_view operator()(const std::optional<Rect>*) const { return "array"; }
     std::string_view operator()(const std::vector<StartPets>*) const { return "array"; }
     std::string_view operator()(const std::vector<FullScreenRule>*) const { return "array"; }
 };
@@ -172,6 +211,8 @@ struct SlotDefault {
     std::string operator()(const Choice& slot) const { return json(choices[slot.index()]).dump(); }
     // Empty in a fresh Config.
     std::string operator()(const std::vector<FullScreenRule>*) const { return "[]"; }
+    std::string operator()(const std::vector<MonitorName>*) const { return "[]"; }
+    std::string operator()(const std::optional<Rect>*) const { return "[]"; }
     std::string operator()(const std::vector<StartPets>* slot) const {
         json list = json::array();
         for (const StartPets& pets : *slot) {

@@ -18,6 +18,7 @@ Daemon::Daemon(Desktop& desktop, DaemonOptions options)
       scripts_(std::move(options.scripts)),
       trace_(std::move(options.trace)),
       first_requests_(std::move(options.requests)) {
+    recall();
     read_config();
     read_kinds();
     use_monitors();
@@ -45,6 +46,9 @@ void Daemon::run_due() {
 
 void Daemon::draw(Ticks now) {
     changed_ = false;
+    if (remembered_.hidden) {
+        show_when_due(now);
+    }
     heed_presence(now);
     scripts_.watch(now);
     const Decisions& so = presence_.decisions();
@@ -65,7 +69,7 @@ void Daemon::draw(Ticks now) {
     }
     mind_windows();
     Staged next;
-    if (!so.windowless) {
+    if (!so.windowless && !remembered_.hidden) {
         next = staged(
             engine_,
             sets_,
@@ -88,7 +92,7 @@ void Daemon::draw(Ticks now) {
     pacer_.drawn(now);
     const Ticks wake = clock_.machine_time(std::min(next.next_change, scripts_.next_wake()));
     const bool every_frame = swinging || (engine_.moving() && !clock_.paused());
-    const Ticks due = std::min({wake, presence_.due(), scripts_.watch_due()});
+    const Ticks due = std::min({wake, presence_.due(), scripts_.watch_due(), show_at_});
     next_frame_ = every_frame ? pacer_.next() : std::max(due, pacer_.next());
     choose_conduct(every_frame, !clock_.paused() && next.next_change != never);
 }
@@ -110,28 +114,40 @@ void Daemon::welcome() {
     for (const Request& request : std::exchange(first_requests_, {})) {
         on(request);
     }
+    if (quiet()) {
+        settle();
+    }
+    greet();
+}
+
+std::string Daemon::problem() const {
+    if (!config_problem_.empty()) {
+        return config_problem_;
+    }
+    for (const std::vector<std::string>* list : {&kind_problems_, &script_problems_}) {
+        if (!list->empty()) {
+            return list->front();
+        }
+    }
+    if (place_problem_.empty() && config_.presence.hide_from_capture &&
+        presence_.facts().capture_refused) {
+        return "captures show the pets: the system refused overlay.hide_from_capture";
+    }
+    return place_problem_;
 }
 
 void Daemon::report() {
-    std::string problem = config_problem_;
-    for (const std::vector<std::string>* list : {&kind_problems_, &script_problems_}) {
-        if (problem.empty() && !list->empty()) {
-            problem = list->front();
-        }
-    }
-    if (problem.empty() && config_.presence.hide_from_capture &&
-        presence_.facts().capture_refused) {
-        problem = "captures show the pets: the system refused overlay.hide_from_capture";
-    }
-    const Status status{
+    Status status{
         .pets = engine_.size(),
-        .paused = user_paused_,
-        .problem = std::move(problem),
+        .paused = paused_,
+        .hidden = remembered_.hidden,
+        .quiet = quiet(),
+        .problem = problem(),
         .note = presence_.decisions().note,
     };
     if (status != shown_status_) {
-        shown_status_ = status;
-        desktop_.show_status(status);
+        shown_status_ = std::move(status);
+        desktop_.show_status(shown_status_);
     }
 }
 

@@ -10,6 +10,7 @@
 #include "daemon/core/pacer.h"
 #include "daemon/core/presence.h"
 #include "daemon/core/profile.h"
+#include "daemon/core/remembered.h"
 #include "daemon/core/script_bridge.h"
 #include "daemon/core/stage.h"
 #include "daemon/core/trace.h"
@@ -54,6 +55,8 @@ private:
     void on(const input::Pressed& pressed);
     void on(const input::Moved& moved);
     void on(const input::Released& released);
+    void on(const input::Turned& turned);
+    void on(const input::MenuWanted& wanted);
     void on(const input::PointerLost& lost);
     void on(const input::MonitorsChanged& changed);
     void on(const input::FilesChanged& changed);
@@ -66,12 +69,38 @@ private:
     void carry_out(const request::FlingAll& fling);
     void carry_out(const request::ResetAll& reset);
     void carry_out(const request::RemoveAll& remove);
-    void carry_out(const request::SetPaused& pause);
-    void carry_out(const request::TogglePause& toggle);
     void carry_out(const request::Reload& reload);
     void carry_out(const request::Quit& quit);
 
     void let_go(Ticks time, double max_speed);
+
+    // daemon_menu.cpp
+    MenuState menu_state();
+    void open_pet_menu(PetId id, Point at);
+    bool is_there(PetId id) const;
+    void carry_out(const request::StopPet& stop);
+    void carry_out(const request::ResetPet& reset);
+    void carry_out(const request::SetScale& scale);
+    void carry_out(const request::RemovePet& gone);
+    void carry_out(const request::RemoveOthers& kept);
+
+    // daemon_state.cpp
+    void carry_out(const request::SetPaused& pause);
+    void carry_out(const request::TogglePause& toggle);
+    void carry_out(const request::Hide& hide);
+    void carry_out(const request::Show& show);
+    void carry_out(const request::SetQuiet& wish);
+    void carry_out(const request::SetMonitor& wish);
+    void carry_out(const request::Gather& gather);
+    void carry_out(const request::SetScript& wish);
+    void recall();
+    void remember();
+    void greet();
+    void show_when_due(Ticks now);
+    bool quiet() const { return remembered_.quiet.value_or(config_.quiet); }
+    void keep_quiet();
+    void settle();
+    bool is_allowed(std::size_t monitor) const;
 
     // daemon_profile.cpp
     void read_config();
@@ -91,6 +120,7 @@ private:
     void draw(Ticks now);
     void welcome();
     void report();
+    std::string problem() const;
 
     Desktop& desktop_;
     Profile profile_;
@@ -105,9 +135,16 @@ private:
     std::optional<Trace> trace_;
     std::vector<Request> first_requests_;
 
-    std::vector<Monitor> monitors_;
     WindowInterest windows_;
+    std::vector<Monitor> all_monitors_;
+    std::vector<Monitor> monitors_;  ///< As far as pets may be on them.
     std::vector<ScriptSource> sources_;
+    std::vector<std::string> script_names_;  ///< Those that are off as well.
+    Remembered remembered_;
+    Remembered saved_;  ///< As state.json has it.
+    bool paused_ = false;
+    Ticks show_at_ = never;
+    std::optional<PetId> menu_pet_;  ///< The right button went down on it.
     WorldClock clock_;
     Pacer pacer_;
     Presence presence_;
@@ -116,7 +153,6 @@ private:
     Frame frame_;
     Ticks next_frame_ = 0;
     bool changed_ = true;
-    bool user_paused_ = false;
     bool welcomed_ = false;
     bool quitting_ = false;
 
@@ -124,6 +160,7 @@ private:
     std::string config_problem_;
     std::vector<std::string> kind_problems_;
     std::vector<std::string> script_problems_;
+    std::string place_problem_;
     Status shown_status_;
 };
 

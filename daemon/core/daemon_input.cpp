@@ -21,6 +21,7 @@ void Daemon::on(const input::Pressed& pressed) {
         return;
     }
     if (pressed.button != Button::left) {
+        menu_pet_ = pressed.button == Button::right ? id : std::nullopt;
         engine_.click(*id, pressed.button);
         return;
     }
@@ -43,6 +44,12 @@ void Daemon::on(const input::Moved& moved) {
 }
 
 void Daemon::on(const input::Released& released) {
+    if (released.button == Button::right) {
+        const std::optional<PetId> pet = std::exchange(menu_pet_, std::nullopt);
+        if (pet && pet_at(frame_, released.at) == pet) {
+            open_pet_menu(*pet, released.at);
+        }
+    }
     const std::optional<PetId> held = hand_.pet();
     if (!held || released.button != Button::left) {
         return;
@@ -97,16 +104,6 @@ void Daemon::carry_out(const request::ResetAll&) {
 void Daemon::carry_out(const request::RemoveAll&) {
     hand_.drop();
     engine_.clear();
-}
-
-void Daemon::carry_out(const request::SetPaused& pause) {
-    user_paused_ = pause.paused;
-    heed_presence(desktop_.now());
-}
-
-void Daemon::carry_out(const request::TogglePause&) {
-    user_paused_ = !user_paused_;
-    heed_presence(desktop_.now());
 }
 
 void Daemon::carry_out(const request::Reload&) {

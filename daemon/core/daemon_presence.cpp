@@ -24,7 +24,7 @@ void Daemon::use_presence_settings() {
 void Daemon::heed_presence(Ticks now) {
     const Decisions before = presence_.decisions();
     const Decisions& so = presence_.decide(now);
-    clock_.set_paused(user_paused_ || so.world_stands, now);
+    clock_.set_paused(paused_ || remembered_.hidden || so.world_stands, now);
     if ((so.unseen && !before.unseen) || (so.windowless && !before.windowless)) {
         let_go(now, 0.0);
     }
@@ -39,10 +39,10 @@ void Daemon::choose_conduct(bool moving, bool animated) {
         .front = Watch::events,
         .name_programs = presence_.asks_for_programs(),
         .hide_from_capture = config_.presence.hide_from_capture,
-        .let_go = so.windowless || so.unseen,
+        .let_go = so.windowless || so.unseen || remembered_.hidden,
         .resting = !moving && !hand_.pet(),
     };
-    if (so.unseen || engine_.size() == 0) {
+    if (so.unseen || remembered_.hidden || engine_.size() == 0) {
         conduct.front = Watch::off;
     } else if (moving || animated || presence_.wary()) {
         conduct.front = Watch::closely;

@@ -30,7 +30,8 @@ void Daemon::read_config() {
     for (const std::string& warning : loaded->warnings) {
         spdlog::warn("{}", warning);
     }
-    const bool floor_moved = loaded->config.floor != config_.floor;
+    const bool places_moved =
+        loaded->config.floor != config_.floor || loaded->config.allowed != config_.allowed;
     const bool ledges_changed = loaded->config.ledges != config_.ledges;
     config_ = loaded->config;
     config_.fps = fps_.value_or(config_.fps);
@@ -48,7 +49,8 @@ void Daemon::read_config() {
     );
     use_presence_settings();
     desktop_.use_renderer(config_.renderer);
-    if (floor_moved) {
+    keep_quiet();
+    if (places_moved) {
         use_monitors();
     }
     if (ledges_changed) {
@@ -78,6 +80,13 @@ void Daemon::read_scripts() {
         }
         script_problems_ = std::move(loaded.problems);
     }
+    script_names_.clear();
+    for (const ScriptSource& source : loaded.sources) {
+        script_names_.push_back(source.name);
+    }
+    std::erase_if(loaded.sources, [this](const ScriptSource& source) {
+        return remembered_.scripts_off.contains(source.name);
+    });
     if (loaded.sources != sources_) {
         sources_ = std::move(loaded.sources);
         scripts_.load(sources_);
@@ -91,9 +100,15 @@ void Daemon::use_monitors() {
         spdlog::warn("no monitor is known; keeping the arena as it was");
         return;
     }
-    monitors_ = std::move(monitors);
+    all_monitors_ = std::move(monitors);
+    AllowedPlaces places = allowed_places(all_monitors_, config_.allowed, remembered_.monitors);
+    if (!places.warning.empty() && places.warning != place_problem_) {
+        spdlog::warn("{}", places.warning);
+    }
+    place_problem_ = std::move(places.warning);
+    monitors_ = std::move(places.monitors);
     engine_.set_arena(Arena(monitors_, config_.floor));
-    presence_.set_monitors(monitors_);
+    presence_.set_monitors(all_monitors_);
     read_windows();
 }
 

@@ -7,10 +7,14 @@
 #include "daemon/core/facts.h"
 #include "daemon/core/frame.h"
 #include "daemon/core/ledges.h"
+#include "daemon/core/menu.h"
 #include "daemon/core/request.h"
+#include "daemon/core/wall_time.h"
 #include "physics/ticks.h"
 
+#include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -32,6 +36,16 @@ struct Released {
     Point at;
     Button button = Button::left;
     Ticks time = 0;
+};
+/// The wheel was turned over a pet's pixels, with Ctrl held down.
+struct Turned {
+    Point at;
+    int steps = 0;  ///< Notches, away from the user positive.
+};
+/// The user asks for the tray's menu: the answer is Desktop::show_menu() at the same place.
+struct MenuWanted {
+    Point anchor;
+    std::optional<bool> autostart{};  ///< Whether the program starts with the session, if known.
 };
 /// The system took the pointer away: a held pet drops where it is.
 struct PointerLost {};
@@ -55,6 +69,8 @@ using Input = std::variant<
     input::Pressed,
     input::Moved,
     input::Released,
+    input::Turned,
+    input::MenuWanted,
     input::PointerLost,
     input::MonitorsChanged,
     input::FilesChanged,
@@ -74,6 +90,8 @@ struct WindowInterest {
 struct Status {
     std::size_t pets = 0;
     bool paused = false;
+    bool hidden = false;
+    bool quiet = false;
     std::string problem{};  ///< One line about what is wrong; empty when nothing is.
     std::string note{};     ///< One line on why pets are not as usual; else empty.
     bool operator==(const Status&) const = default;
@@ -123,6 +141,19 @@ public:
     virtual void show_status(const Status& status) = 0;
     /// Called when the conduct has changed.
     virtual void follow(const Conduct&) {}
+
+    /// Shows a menu there, some time later and never from inside this call. A chosen Request comes
+    /// as input; the desktop carries out its own commands.
+    virtual void show_menu(MenuItems, Point) {}
+    /// A line of text, once, for somebody who has never seen the program.
+    virtual void greet(const std::string&) {}
+    /// Where the pointer is now, if there is one.
+    virtual std::optional<Point> pointer() { return std::nullopt; }
+    /// UTC where the desktop knows no other.
+    virtual WallTime wall_time() {
+        const auto now = std::chrono::system_clock::now().time_since_epoch();
+        return {std::chrono::duration_cast<std::chrono::seconds>(now).count(), 0};
+    }
 };
 
 }  // namespace hyrax

@@ -120,6 +120,9 @@ public:
     void clear();
     /// Throws every pet upwards in a direction of its own.
     void fling_all();
+    /// Puts every pet that no hand holds along the top of the place, or as near as the arena
+    /// allows, at rest: they fall in.
+    void gather(const Rect& place);
 
     /// Moves every pet that is awake to `now`. A pet's first frame shows it where it was put. A
     /// time before the last one changes nothing.

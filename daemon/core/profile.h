@@ -18,6 +18,7 @@ struct Profile {
     std::filesystem::path user;     ///< Holds sprites/ and scripts/.
     std::filesystem::path shipped;  ///< Holds config/config.json, config/sprites/ and scripts/.
     std::vector<std::filesystem::path> more_scripts;  ///< Files that run whatever the config says.
+    std::filesystem::path state{};  ///< state.json; empty: nothing outlives the program.
 };
 
 struct LoadedKinds {

@@ -2,6 +2,10 @@
 // What the tray, the command line and a second start may ask of the daemon.
 #pragma once
 
+#include "daemon/core/pet.h"
+
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -16,6 +20,44 @@ struct Spawn {
 struct FlingAll {};
 struct ResetAll {};
 struct RemoveAll {};
+/// Brings every pet to the monitor under the pointer, else to the primary one. Shows them first.
+struct Gather {};
+/// No picture, and the pets' time stands still.
+struct Hide {
+    std::optional<std::int64_t> seconds{};  ///< None: until Show.
+};
+struct Show {};
+/// Pets settle and stay; scripts may not move them nor spawn any. The user's hand may.
+struct SetQuiet {
+    bool quiet = false;
+};
+/// Whether pets may be on a monitor, named by its identity().
+struct SetMonitor {
+    std::string monitor;
+    bool allowed = true;
+};
+/// Whether a script that the config names runs.
+struct SetScript {
+    std::string script;
+    bool on = true;
+};
+struct StopPet {
+    PetId pet;
+};
+struct ResetPet {
+    PetId pet;
+};
+struct SetScale {
+    PetId pet;
+    double scale = 1.0;
+};
+struct RemovePet {
+    PetId pet;
+};
+/// Every pet but this one.
+struct RemoveOthers {
+    PetId pet;
+};
 struct SetPaused {
     bool paused = false;
 };
@@ -30,6 +72,17 @@ using Request = std::variant<
     request::FlingAll,
     request::ResetAll,
     request::RemoveAll,
+    request::Gather,
+    request::Hide,
+    request::Show,
+    request::SetQuiet,
+    request::SetMonitor,
+    request::SetScript,
+    request::StopPet,
+    request::ResetPet,
+    request::SetScale,
+    request::RemovePet,
+    request::RemoveOthers,
     request::SetPaused,
     request::TogglePause,
     request::Reload,

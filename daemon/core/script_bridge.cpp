@@ -33,6 +33,16 @@ const char* state_name(Motion motion) {
     std::unreachable();
 }
 
+// The name of what would move or make a pet; empty for anything else.
+struct MovingVerb {
+    std::string_view operator()(const command::Spawn&) const { return "spawn"; }
+    std::string_view operator()(const command::Fling&) const { return "fling"; }
+    std::string_view operator()(const command::Push&) const { return "push"; }
+    std::string_view operator()(const command::MoveTo&) const { return "move_to"; }
+    std::string_view operator()(const command::Reset&) const { return "reset"; }
+    std::string_view operator()(const auto&) const { return {}; }
+};
+
 void write_log(const ScriptLog& line) {
     constexpr spdlog::level::level_enum levels[] = {
         spdlog::level::info, spdlog::level::warn, spdlog::level::err
@@ -50,6 +60,7 @@ void ScriptBridge::load(std::vector<ScriptSource> sources) {
         return;
     }
     loaded_ = !sources.empty();
+    errors_.clear();
     host_->load(std::move(sources));
     next_wake_ = 0;
 }
@@ -109,6 +120,9 @@ void ScriptBridge::queue_events(Engine& engine) {
 void ScriptBridge::use(Engine& engine, ScriptOutput output) {
     for (const ScriptLog& line : output.log) {
         write_log(line);
+        if (line.level == LogLevel::error && line.text.starts_with(line.script + ":")) {
+            errors_[line.script] = line.text;  // Not the lines of its call trace.
+        }
     }
     engine.listen(output.listening);
     next_wake_ = output.next_wake;
@@ -170,7 +184,30 @@ ScriptWorld ScriptBridge::snapshot(
     return world;
 }
 
+void ScriptBridge::set_quiet(bool quiet) {
+    quiet_ = quiet;
+    refused_.clear();
+}
+
+bool ScriptBridge::refuses(const ScriptCommand& given) {
+    if (!quiet_) {
+        return false;
+    }
+    const std::string_view verb = std::visit(MovingVerb{}, given);
+    if (!verb.empty() && refused_.insert(verb).second) {
+        spdlog::warn(
+            "script: {}: refused while hyrax is quiet (tray menu: Quiet; config.json: "
+            "/overlay/quiet)",
+            verb
+        );
+    }
+    return !verb.empty();
+}
+
 Result<void> ScriptBridge::apply(Engine& engine, const ScriptCommand& given) {
+    if (refuses(given)) {
+        return {};
+    }
     const auto perform = [this, &engine](const auto& c) -> Result<void> {
         using Command = std::remove_cvref_t<decltype(c)>;
         if constexpr (std::is_same_v<Command, command::Spawn>) {

@@ -7,7 +7,11 @@
 
 #include <cstddef>
 #include <deque>
+#include <map>
 #include <memory>
+#include <set>
+#include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -33,6 +37,11 @@ public:
     void run(Engine& engine, const std::vector<Monitor>& monitors, Ticks now);
     /// While calm, no script sets a pet in motion that stands on the ground.
     void set_calm(bool calm) { calm_ = calm; }
+    /// Scripts run on, but what moves or spawns pets is refused, with a warning for each verb.
+    void set_quiet(bool quiet);
+    bool quiet() const { return quiet_; }
+    /// The latest error of each script since load(), by the script's name.
+    const std::map<std::string, std::string>& errors() const { return errors_; }
     /// When run() has something to do, apart from events.
     Ticks next_wake() const;
 
@@ -51,12 +60,16 @@ private:
     void use(Engine& engine, ScriptOutput output);
     void apply_commands(Engine& engine);
     Result<void> apply(Engine& engine, const ScriptCommand& command);
+    bool refuses(const ScriptCommand& command);
     void forget_removed(const Engine& engine);
 
     std::unique_ptr<ScriptHost> host_;
     bool loaded_ = false;
     bool calm_ = false;
+    bool quiet_ = false;
     Ticks next_wake_ = never;
+    std::set<std::string_view> refused_;  // Verbs that have been told of.
+    std::map<std::string, std::string> errors_;
     std::deque<ScriptEvent> events_;
     std::size_t dropped_events_ = 0;
     std::deque<ScriptCommand> commands_;

@@ -8,6 +8,8 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -45,6 +47,12 @@ public:
     std::vector<DesktopWindow> windows() override;
     void watch_windows(const WindowInterest& interest) override;
     void show_status(const Status& status) override { statuses_.push_back(status); }
+    void show_menu(MenuItems menu, Point) override { menus_.push_back(std::move(menu)); }
+    void greet(const std::string& text) override { greetings_.push_back(text); }
+    std::optional<Point> pointer() override { return pointer_; }
+    /// The clock starts at noon of the first of January 2026, UTC.
+    WallTime wall_time() override { return {1'767'268'800 + now_ / ticks_per_second, 0}; }
+    void set_pointer(Point at) { pointer_ = at; }
 
     void follow(const Conduct& conduct) override { conduct_ = conduct; }
 
@@ -57,6 +65,8 @@ public:
     /// Frames are remembered, not drawn: nothing is presented.
     const DesktopCounters& counters() const { return counters_; }
     const std::vector<Status>& statuses() const { return statuses_; }
+    const std::vector<MenuItems>& menus() const { return menus_; }
+    const std::vector<std::string>& greetings() const { return greetings_; }
 
 private:
     Ticks window_change() const;
@@ -74,6 +84,9 @@ private:
     DesktopCounters counters_;
     std::vector<Status> statuses_;
     Conduct conduct_;
+    std::vector<MenuItems> menus_;
+    std::vector<std::string> greetings_;
+    std::optional<Point> pointer_;
 };
 
 /// The frame over the bounding box of the monitors, transparent where no pet is.

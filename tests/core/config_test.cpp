@@ -107,7 +107,9 @@ TEST_CASE("config: every key arrives where it belongs") {
                     "rest_threshold": 7},
         "pets": {"start": [{"kind": "cat", "count": 2, "x": 1.5, "y": -2, "vx": 3, "vy": 4}, {}],
                  "max": 9, "max_speed": 10, "max_throw_speed": 11, "drowsy_after": 12},
-        "overlay": {"fps": 30.5, "floor": "screen", "ledges": "active"},
+        "overlay": {"fps": 30.5, "floor": "screen", "ledges": "active",
+                    "allowed_monitors": [2, "primary"], "allowed_area": [-10, 20, 300, 400],
+                    "quiet": true},
         "scripts": {"run": ["a.lua", "examples/b*.lua"]},
         "log": {"level": "warn"}
     })");
@@ -129,6 +131,10 @@ TEST_CASE("config: every key arrives where it belongs") {
     expected.fps = 30.5;
     expected.floor = FloorEdge::screen;
     expected.ledges = LedgeMode::active;
+    expected.allowed = {
+        .monitors = {MonitorName{"2"}, MonitorName{"primary"}}, .area = Rect{-10, 20, 300, 400}
+    };
+    expected.quiet = true;
     expected.scripts = {"a.lua", "examples/b*.lua"};
     expected.log_level = "warn";
     CHECK(config == expected);
@@ -196,7 +202,7 @@ TEST_CASE("config: names, choices and lists") {
             for (int i = 0; i <= static_cast<int>(field.high); ++i) {
                 list += i == 0 ? "0" : ",0";
             }
-            check_refused(field, list + "]", "1001");
+            check_refused(field, list + "]", std::to_string(static_cast<int>(field.high) + 1));
         }
     }
     const ConfigField& kind = field_at(fields, "/pets/start/*/kind");

@@ -131,3 +131,27 @@ TEST_CASE("command lines") {
         CHECK(std::get<Farewell>(answer).exit_code == 2);
     }
 }
+
+TEST_CASE("command line: what the tray offers is offered here as well") {
+    const auto parsed =
+        parse_daemon_arguments({"--gather", "--hide", "--show", "--quiet", "on", "--autostart"});
+    const auto* line = std::get_if<DaemonCommandLine>(&parsed);
+    REQUIRE(line != nullptr);
+    CHECK(line->autostart);
+    const std::vector<Request>& requests = line->common.requests;
+    REQUIRE(requests.size() == 4);
+    CHECK(std::holds_alternative<request::Gather>(requests[0]));
+    CHECK(std::holds_alternative<request::Hide>(requests[1]));
+    CHECK(std::holds_alternative<request::Show>(requests[2]));
+    CHECK(std::holds_alternative<request::SetQuiet>(requests[3]));
+    for (const bool quiet : {true, false}) {
+        const auto one = parse_daemon_arguments({"--quiet", quiet ? "on" : "off"});
+        REQUIRE(std::holds_alternative<DaemonCommandLine>(one));
+        const auto& asked = std::get<DaemonCommandLine>(one).common.requests.at(0);
+        CHECK(std::get<request::SetQuiet>(asked).quiet == quiet);
+    }
+    const auto wrong = parse_daemon_arguments({"--quiet", "perhaps"});
+    REQUIRE(std::holds_alternative<Farewell>(wrong));
+    CHECK(std::get<Farewell>(wrong).exit_code == 2);
+    CHECK(std::get<Farewell>(wrong).text.contains("on"));
+}

@@ -58,6 +58,7 @@ public:
                     .user = folder.path(),
                     .shipped = HYRAX_SOURCE_DIR,
                     .more_scripts = {},
+                    .state = folder.path() / "state.json",
                 },
             .decode = decode_png,
             .scripts = make_script_host({}),
