@@ -169,7 +169,14 @@ struct SlotDefault {
     std::string operator()(const std::vector<StartPets>* slot) const {
         json list = json::array();
         for (const StartPets& pets : *slot) {
-            list.push_back({{"kind", pets.kind}, {"count", pets.count}});
+            json item{{"kind", pets.kind}, {"count", pets.count}};
+            if (pets.at) {
+                item.update({{"x", pets.at->x}, {"y", pets.at->y}});
+            }
+            if (pets.velocity != Vec2{}) {
+                item.update({{"vx", pets.velocity.x}, {"vy", pets.velocity.y}});
+            }
+            list.push_back(std::move(item));
         }
         return list.dump();
     }
@@ -178,11 +185,13 @@ struct SlotDefault {
 
 template <typename Target>
 void describe(
-    std::string_view prefix, std::span<const Field<Target>> fields, std::vector<ConfigField>& list
+    std::string_view prefix,
+    std::span<const Field<Target>> fields,
+    Target values,
+    std::vector<ConfigField>& list
 ) {
-    Target defaults;
     for (const Field<Target>& field : fields) {
-        const Slot slot = field.slot(defaults);
+        const Slot slot = field.slot(values);
         list.push_back(
             {.path = std::string(prefix) + std::string(field.path),
              .type = std::string(std::visit(SlotType{}, slot)),
@@ -199,9 +208,13 @@ void describe(
 }  // namespace
 
 std::vector<ConfigField> config_fields() {
+    return config_values(Config{});
+}
+
+std::vector<ConfigField> config_values(const Config& config) {
     std::vector<ConfigField> list;
-    describe<Config>("", config_table(), list);
-    describe<StartItem>("/pets/start/*", start_table(), list);
+    describe<Config>("", config_table(), config, list);
+    describe<StartItem>("/pets/start/*", start_table(), StartItem{}, list);
     return list;
 }
 

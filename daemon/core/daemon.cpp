@@ -16,8 +16,10 @@ Daemon::Daemon(Desktop& desktop, DaemonOptions options)
       sets_{placeholder_sprite_set("hyrax")},
       engine_(kinds_of(sets_), config_.engine, options.seed),
       scripts_(std::move(options.scripts)),
+      control_(std::move(options.control)),
       trace_(std::move(options.trace)),
-      first_requests_(std::move(options.requests)) {
+      first_requests_(std::move(options.requests)),
+      begin_(desktop.now()) {
     read_config();
     read_kinds();
     use_monitors();
@@ -53,6 +55,7 @@ void Daemon::draw(Ticks now) {
         scripts_.run(engine_, monitors_, world);
         changed_ = engine_.has_events();
     }
+    control_.tell_watchers(engine_, desktop_, to_seconds(world - begin_));
     Staged next = staged(engine_, sets_, world, from_seconds(config_.drowsy_after));
     if (next.frame != frame_) {
         frame_ = std::move(next.frame);
@@ -66,6 +69,10 @@ void Daemon::draw(Ticks now) {
     const Ticks wake = clock_.machine_time(std::min(next.next_change, scripts_.next_wake()));
     const bool every_frame = swinging || (engine_.moving() && !clock_.paused());
     next_frame_ = every_frame ? pacer_.next() : std::max(wake, pacer_.next());
+    ++frames_;
+    if (control_.is_open()) {
+        drawing_ += desktop_.now() - now;
+    }
 }
 
 void Daemon::welcome() {
@@ -87,17 +94,31 @@ void Daemon::welcome() {
     }
 }
 
-void Daemon::report() {
+Status Daemon::status() const {
     std::string problem = config_problem_;
     for (const std::vector<std::string>* list : {&kind_problems_, &script_problems_}) {
         if (problem.empty() && !list->empty()) {
             problem = list->front();
         }
     }
-    const Status status{engine_.size(), clock_.paused(), std::move(problem)};
-    if (status != shown_status_) {
-        shown_status_ = status;
-        desktop_.show_status(status);
+    return {engine_.size(), clock_.paused(), std::move(problem)};
+}
+
+Figures Daemon::figures() const {
+    const Ticks world = clock_.at(desktop_.now());
+    const auto frames = static_cast<double>(std::max<std::uint64_t>(1, frames_));
+    return {
+        .seconds = to_seconds(world - begin_),
+        .frames = frames_,
+        .frame_ns = static_cast<double>(drawing_) / frames,
+    };
+}
+
+void Daemon::report() {
+    Status now = status();
+    if (now != shown_status_) {
+        shown_status_ = std::move(now);
+        desktop_.show_status(shown_status_);
     }
 }
 

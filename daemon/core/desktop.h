@@ -8,11 +8,16 @@
 #include "daemon/core/request.h"
 #include "physics/ticks.h"
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 namespace hyrax {
+
+/// A client of the control channel, while it stays; no two have the same.
+using ClientId = std::uint64_t;
 
 namespace input {
 /// The pointer, in virtual desktop pixels. Pressed comes only for points on a pet's pixels.
@@ -36,6 +41,15 @@ struct PointerLost {};
 struct MonitorsChanged {};
 /// A file of the profile may have changed: config.json, a script, a sprite set.
 struct FilesChanged {};
+/// A client of the control channel asks something, in a text that is not checked yet.
+struct Asked {
+    ClientId client = 0;
+    std::string text;
+};
+/// A client that more answers were meant for is gone.
+struct Left {
+    ClientId client = 0;
+};
 }  // namespace input
 
 using Input = std::variant<
@@ -45,6 +59,8 @@ using Input = std::variant<
     input::PointerLost,
     input::MonitorsChanged,
     input::FilesChanged,
+    input::Asked,
+    input::Left,
     Request>;
 
 /// What the user sees of the daemon's state without any window: the tray's tip and menu.
@@ -54,6 +70,9 @@ struct Status {
     std::string problem;  ///< One line about what is wrong; empty when nothing is.
     bool operator==(const Status&) const = default;
 };
+
+/// Whether a client of the control channel hears more after an answer.
+enum class Answer : std::uint8_t { last, more };
 
 /// A machine with screens, a pointer and a clock. One thread.
 class Desktop {
@@ -74,6 +93,9 @@ public:
     virtual std::vector<Monitor> monitors() = 0;
     /// Called when the status has changed.
     virtual void show_status(const Status& status) = 0;
+    /// Sends a text to a client of the control channel, without waiting for it to be read. A client
+    /// that has gone, or that reads too slowly, does not get it.
+    virtual void answer(ClientId, std::string_view, Answer) {}
 };
 
 }  // namespace hyrax

@@ -15,6 +15,7 @@
 #include <random>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace hyrax {
@@ -126,6 +127,9 @@ public:
     bool has_events() const { return !events_.empty(); }
     /// The events since the last call, oldest first.
     std::vector<Event> take_events();
+    /// The same for a second listener, with a list of its own.
+    void watch(EventMask mask) { watching_ = mask; }
+    std::vector<Event> take_watched() { return std::exchange(watched_, {}); }
 
 private:
     struct Held {
@@ -164,6 +168,8 @@ private:
     std::vector<Held> held_;
     std::vector<Event> events_;
     EventMask listening_;
+    std::vector<Event> watched_;
+    EventMask watching_;
     std::uint64_t contacts_ = 0;
     std::minstd_rand random_;
     Ticks now_ = 0;

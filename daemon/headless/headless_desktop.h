@@ -6,6 +6,8 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace hyrax {
@@ -16,6 +18,12 @@ struct TimedInput {
     Input input;
     /// What the world does just before, such as a file that changes.
     std::function<void()> before = {};
+};
+
+struct RecordedAnswer {
+    ClientId client = 0;
+    std::string text;
+    Answer which = Answer::last;
 };
 
 /// Runs as fast as the machine can. Asked to wait for ever with nothing left to come, it quits.
@@ -33,12 +41,16 @@ public:
     void present(const Frame& frame) override;
     std::vector<Monitor> monitors() override { return monitors_; }
     void show_status(const Status& status) override { statuses_.push_back(status); }
+    void answer(ClientId client, std::string_view text, Answer which) override {
+        answers_.push_back({client, std::string(text), which});
+    }
 
     const Frame& last_frame() const { return frame_; }
     std::size_t presents() const { return presents_; }
     /// How often wait() came back because its deadline had come.
     std::size_t timer_wakeups() const { return timer_wakeups_; }
     const std::vector<Status>& statuses() const { return statuses_; }
+    const std::vector<RecordedAnswer>& answers() const { return answers_; }
 
 private:
     std::vector<Monitor> monitors_;
@@ -50,6 +62,7 @@ private:
     std::size_t presents_ = 0;
     std::size_t timer_wakeups_ = 0;
     std::vector<Status> statuses_;
+    std::vector<RecordedAnswer> answers_;
 };
 
 /// The frame over the bounding box of the monitors, transparent where no pet is.
