@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 // hyrax-headless: the whole daemon on a desktop made of lists.
 #include "daemon/control/command_line.h"
+#include "daemon/control/controller.h"
 #include "daemon/core/daemon.h"
+#include "daemon/headless/control_path.h"
+#include "daemon/headless/durable_file.h"
 #include "daemon/headless/headless_desktop.h"
 #include "daemon/headless/monitor_list.h"
 #include "daemon/headless/png_file.h"
+#include "daemon/headless/real_time_desktop.h"
 #include "daemon/script/script_host.h"
 
 #include <fmt/format.h>
@@ -13,6 +17,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <utility>
@@ -29,13 +34,8 @@ int failed(const hyrax::Error& error) {
     return exit_failed;
 }
 
-fs::path folder_of_this_program() {
-    std::error_code error;
-    return fs::read_symlink("/proc/self/exe", error).parent_path();
-}
-
 hyrax::Profile profile_for(const hyrax::HeadlessCommandLine& line) {
-    const fs::path shipped = folder_of_this_program();
+    const fs::path shipped = hyrax::program_folder();
     const fs::path config = line.config.value_or(shipped / "config" / "config.json");
     return {
         .config = config,
@@ -67,6 +67,39 @@ void report(const hyrax::Daemon& daemon, hyrax::HeadlessDesktop& desktop, double
     );
 }
 
+int save_snapshot(
+    const hyrax::HeadlessCommandLine& line,
+    const std::vector<hyrax::Monitor>& monitors,
+    const hyrax::Frame& frame
+) {
+    if (!line.snapshot) {
+        return exit_ok;
+    }
+    const auto written = hyrax::write_png(*line.snapshot, hyrax::picture(frame, monitors));
+    return written ? exit_ok : failed(written.error());
+}
+
+int serve(
+    const hyrax::HeadlessCommandLine& line,
+    const std::vector<hyrax::Monitor>& monitors,
+    hyrax::DaemonOptions options
+) {
+    auto control = hyrax::ControlSocket::open(options.profile.user);
+    if (!control) {
+        return failed(control.error());
+    }
+    const hyrax::Ticks span =
+        std::isinf(line.seconds) ? hyrax::never : hyrax::from_seconds(line.seconds);
+    auto desktop = hyrax::RealTimeDesktop::create(monitors, span, *std::move(control));
+    if (!desktop) {
+        return failed(desktop.error());
+    }
+    options.control = hyrax::make_controller(hyrax::save_file);
+    hyrax::Daemon daemon(**desktop, std::move(options));
+    daemon.run();
+    return save_snapshot(line, monitors, (*desktop)->last_frame());
+}
+
 int run(const hyrax::HeadlessCommandLine& line) {
     const auto monitors = hyrax::parse_monitors(line.monitors);
     if (!monitors) {
@@ -88,17 +121,17 @@ int run(const hyrax::HeadlessCommandLine& line) {
         options.trace = *std::move(trace);
     }
 
+    if (line.serve) {
+        return serve(line, *monitors, std::move(options));
+    }
     hyrax::HeadlessDesktop desktop(*monitors, hyrax::from_seconds(line.seconds));
     hyrax::Daemon daemon(desktop, std::move(options));
     const auto begin = std::chrono::steady_clock::now();
     daemon.run();
     const std::chrono::duration<double, std::nano> busy = std::chrono::steady_clock::now() - begin;
 
-    if (line.snapshot) {
-        const auto image = hyrax::picture(desktop.last_frame(), *monitors);
-        if (const auto written = hyrax::write_png(*line.snapshot, image); !written) {
-            return failed(written.error());
-        }
+    if (const int code = save_snapshot(line, *monitors, desktop.last_frame()); code != exit_ok) {
+        return code;
     }
     report(daemon, desktop, busy.count());
     return exit_ok;

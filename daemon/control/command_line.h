@@ -35,7 +35,8 @@ struct HeadlessCommandLine {
     CommonOptions common;
     std::optional<std::filesystem::path> config;
     std::vector<std::filesystem::path> scripts;
-    double seconds = 10.0;  ///< Virtual, 0 to 1e6.
+    bool serve = false;     ///< On the real clock, with a control channel.
+    double seconds = 10.0;  ///< 0 to 1e6; without end if it serves and nothing is said.
     std::optional<double> fps;
     std::string monitors = "1920x1080+0+0";
     std::optional<std::filesystem::path> snapshot;
