@@ -73,6 +73,12 @@ void Win32Desktop::show_status(const Status& status) {
     tray_->set_tip(tip_text(status));
 }
 
+void Win32Desktop::answer(ClientId client, std::string_view text, Answer which) {
+    if (options_.control) {
+        options_.control->answer(client, text, which, clock_now());
+    }
+}
+
 std::vector<Input> Win32Desktop::wait(Ticks deadline) {
     HYRAX_CHECK(!waiting_);
     waiting_ = true;
@@ -107,7 +113,8 @@ void Win32Desktop::drain_messages() {
 }
 
 Ticks Win32Desktop::chores_due() const {
-    return std::min({files_.due(), screens_.due(), overlay_.due(), tray_->due()});
+    const Ticks control = options_.control ? options_.control->due() : never;
+    return std::min({files_.due(), screens_.due(), overlay_.due(), tray_->due(), control});
 }
 
 void Win32Desktop::do_chores() {
@@ -118,6 +125,9 @@ void Win32Desktop::do_chores() {
     if (time >= screens_.due() && screens_.settle(options_.monitors(), time)) {
         overlay_.forget_pixels();
         inbox_.emplace_back(input::MonitorsChanged{});
+    }
+    if (options_.control) {
+        options_.control->serve(time, inbox_);
     }
     tray_->retry(time);
     if (time >= overlay_.due()) {
@@ -131,11 +141,13 @@ void Win32Desktop::sleep_until(Ticks due) {
     } else {
         alarm_.set(due - clock_now());
     }
-    const std::array<HANDLE, 2> events{alarm_.event(), files_.event()};
+    std::array<HANDLE, 3> events{alarm_.event(), files_.event()};
+    DWORD count = 2;
+    if (options_.control) {
+        events[count++] = options_.control->event();
+    }
     // MWMO_INPUTAVAILABLE: also for messages that an earlier look at the queue has seen.
-    ::MsgWaitForMultipleObjectsEx(
-        static_cast<DWORD>(events.size()), events.data(), INFINITE, QS_ALLINPUT, MWMO_INPUTAVAILABLE
-    );
+    ::MsgWaitForMultipleObjectsEx(count, events.data(), INFINITE, QS_ALLINPUT, MWMO_INPUTAVAILABLE);
     ++wakeups_;
 }
 
