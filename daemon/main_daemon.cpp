@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // hyrax.exe: the tray-resident daemon.
 #include "daemon/control/command_line.h"
+#include "daemon/control/controller.h"
 #include "daemon/core/check.h"
 #include "daemon/core/daemon.h"
 #include "daemon/core/log_failure.h"
@@ -8,7 +9,10 @@
 #include "daemon/script/script_host.h"
 #include "daemon/win32/clock.h"
 #include "daemon/win32/console.h"
+#include "daemon/win32/durable_file.h"
 #include "daemon/win32/image_decoder.h"
+#include "daemon/win32/pipe_name.h"
+#include "daemon/win32/pipe_server.h"
 #include "daemon/win32/process.h"
 #include "daemon/win32/process_use.h"
 #include "daemon/win32/single_instance.h"
@@ -24,6 +28,7 @@
 #include <cstdint>
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <source_location>
 #include <string>
 #include <utility>
@@ -111,6 +116,17 @@ std::uint32_t seed_of_the_day() {
     return static_cast<std::uint32_t>(count % 2'147'483'646 + 1);
 }
 
+// Without it the daemon still runs: pets matter more than commands.
+std::unique_ptr<win32::PipeServer> control_pipe(const std::wstring& instance) {
+    const auto name = win32::pipe_name(instance);
+    auto server = name ? win32::PipeServer::open(*name) : std::unexpected(name.error());
+    if (!server) {
+        spdlog::error("hyraxctl cannot speak to this hyrax: {}", server.error().message);
+        return nullptr;
+    }
+    return *std::move(server);
+}
+
 int run_daemon(const Places& places, const DaemonCommandLine& line, const std::wstring& instance) {
     const win32::GdiplusSession gdiplus;
     auto desktop = win32::Win32Desktop::create({
@@ -118,6 +134,7 @@ int run_daemon(const Places& places, const DaemonCommandLine& line, const std::w
         .unwatched = {L"hyrax.log", L"hyrax.1.log", L"hyrax.2.log"},
         .config_file = places.profile.config,
         .instance_name = instance,
+        .control = control_pipe(instance),
         .parse_arguments = requests_of,
         .for_testing = line.common.for_testing,
     });
@@ -128,6 +145,7 @@ int run_daemon(const Places& places, const DaemonCommandLine& line, const std::w
         .profile = places.profile,
         .decode = win32::make_gdiplus_decoder(),
         .scripts = make_script_host({.processor_time = win32::thread_processor_time}),
+        .control = make_controller(win32::save_file),
         .trace = {},
         .requests = line.common.requests,
         .fps = {},

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // hyrax-headless: the whole daemon without windows, on a virtual clock or the real one.
 #include "daemon/control/command_line.h"
+#include "daemon/control/controller.h"
 #include "daemon/core/daemon.h"
 #include "daemon/core/log_failure.h"
 #include "daemon/core/statistics.h"
+#include "daemon/headless/control_path.h"
+#include "daemon/headless/durable_file.h"
 #include "daemon/headless/headless_desktop.h"
 #include "daemon/headless/monitor_list.h"
 #include "daemon/headless/png_file.h"
@@ -17,6 +20,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <ctime>
@@ -36,13 +40,8 @@ int failed(const hyrax::Error& error) {
     return exit_failed;
 }
 
-fs::path folder_of_this_program() {
-    std::error_code error;
-    return fs::read_symlink("/proc/self/exe", error).parent_path();
-}
-
 hyrax::Profile profile_for(const hyrax::HeadlessCommandLine& line) {
-    const fs::path shipped = folder_of_this_program();
+    const fs::path shipped = hyrax::program_folder();
     const fs::path config = line.config.value_or(shipped / "config" / "config.json");
     return {
         .config = config,
@@ -122,6 +121,22 @@ int run_on(
     return exit_ok;
 }
 
+int serve(
+    const std::vector<hyrax::Monitor>& monitors,
+    hyrax::DaemonOptions options,
+    const hyrax::HeadlessCommandLine& line
+) {
+    auto control = hyrax::ControlSocket::open(options.profile.user);
+    if (!control) {
+        return failed(control.error());
+    }
+    const hyrax::Ticks span =
+        std::isinf(line.seconds) ? hyrax::never : hyrax::from_seconds(line.seconds);
+    hyrax::RealTimeDesktop desktop(monitors, span, *std::move(control));
+    options.control = hyrax::make_controller(hyrax::save_file);
+    return run_on(desktop, monitors, std::move(options), line);
+}
+
 int run(const hyrax::HeadlessCommandLine& line) {
     const auto monitors = hyrax::parse_monitors(line.monitors);
     if (!monitors) {
@@ -143,6 +158,9 @@ int run(const hyrax::HeadlessCommandLine& line) {
         options.trace = *std::move(trace);
     }
 
+    if (line.serve) {
+        return serve(*monitors, std::move(options), line);
+    }
     const hyrax::Ticks span = hyrax::from_seconds(line.seconds);
     if (line.real_time) {
         hyrax::RealTimeDesktop desktop(*monitors, span);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/control/command_line.h"
 
-#include <CLI/CLI.hpp>
+#include "daemon/control/cli_parse.h"
+
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <sstream>
+#include <limits>
 
 namespace hyrax {
 namespace {
@@ -88,21 +88,6 @@ void add_common(CLI::App& app, CommonOptions& common, Raw& raw) {
     );
 }
 
-// Runs the parser; an answer means that the program has only to print it and to end.
-std::optional<Farewell> parse(CLI::App& app, std::vector<std::string> arguments) {
-    // CLI11 takes the arguments in reverse order.
-    std::ranges::reverse(arguments);
-    try {
-        app.parse(std::move(arguments));
-    } catch (const CLI::ParseError& error) {
-        std::ostringstream out;
-        std::ostringstream err;
-        const int code = app.exit(error, out, err);
-        return Farewell{out.str() + err.str(), code == 0 ? 0 : 2};
-    }
-    return std::nullopt;
-}
-
 std::optional<std::filesystem::path> given(const std::string& text) {
     return text.empty() ? std::nullopt : std::optional(path_of(text));
 }
@@ -146,6 +131,9 @@ std::variant<HeadlessCommandLine, Farewell> parse_headless_arguments(
         "--config", raw.config, "A config.json; sprites/ and scripts/ are looked for beside it"
     );
     app.add_option("--script", raw.scripts, "A Lua script to run, may be repeated");
+    app.add_flag(
+        "--serve", line.serve, "Run on the real clock until told to quit, and listen to hyraxctl"
+    );
     app.add_option("--seconds", line.seconds, "How long to run [seconds of its clock]")
         ->check(between(0.0, 1e6))
         ->capture_default_str();
@@ -171,6 +159,9 @@ std::variant<HeadlessCommandLine, Farewell> parse_headless_arguments(
     app.add_option("--snapshot", raw.snapshot, "Write the last frame to this PNG file");
     if (std::optional<Farewell> farewell = parse(app, arguments)) {
         return *std::move(farewell);
+    }
+    if (line.serve && app.count("--seconds") == 0) {
+        line.seconds = std::numeric_limits<double>::infinity();
     }
     line.common.trace = given(raw.trace);
     line.common.statistics = given(raw.statistics);

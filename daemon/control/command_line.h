@@ -37,8 +37,10 @@ struct HeadlessCommandLine {
     CommonOptions common;
     std::optional<std::filesystem::path> config;
     std::vector<std::filesystem::path> scripts;
-    double seconds = 10.0;   ///< 0 to 1e6.
+    /// 0 to 1e6, of the clock it runs on; without end if it serves and nothing is said.
+    double seconds = 10.0;
     bool real_time = false;  ///< Else the clock is virtual.
+    bool serve = false;      ///< On the real clock, with a control channel.
     std::optional<double> fps;
     std::string monitors = "1920x1080+0+0";
     std::optional<std::filesystem::path> windows;

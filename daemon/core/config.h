@@ -68,6 +68,8 @@ struct ConfigField {
 
 /// Every key that parse_config() knows.
 std::vector<ConfigField> config_fields();
+/// The same with a config's own values in place of the defaults.
+std::vector<ConfigField> config_values(const Config& config);
 
 /// Parses the text; `file` names it in messages. Comments are allowed; keys that are not there
 /// keep their defaults; an unknown key is a warning that names the nearest known one. A failure's

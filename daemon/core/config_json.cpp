@@ -209,14 +209,36 @@ struct SlotDefault {
     std::string operator()(Ignored) const { return {}; }
     std::string operator()(const std::optional<double>*) const { return {}; }
     std::string operator()(const Choice& slot) const { return json(choices[slot.index()]).dump(); }
-    // Empty in a fresh Config.
-    std::string operator()(const std::vector<FullScreenRule>*) const { return "[]"; }
-    std::string operator()(const std::vector<MonitorName>*) const { return "[]"; }
-    std::string operator()(const std::optional<Rect>*) const { return "[]"; }
+    std::string operator()(const std::vector<FullScreenRule>* slot) const {
+        json list = json::array();
+        for (const FullScreenRule& rule : *slot) {
+            const auto act = static_cast<std::size_t>(rule.act);
+            list.push_back({{"exe", rule.program}, {"do", full_screen_names[act]}});
+        }
+        return list.dump();
+    }
+    std::string operator()(const std::vector<MonitorName>* slot) const {
+        json list = json::array();
+        for (const MonitorName& monitor : *slot) {
+            list.push_back(monitor.text);
+        }
+        return list.dump();
+    }
+    std::string operator()(const std::optional<Rect>* slot) const {
+        const std::optional<Rect>& area = *slot;
+        return area ? json{area->x, area->y, area->width, area->height}.dump() : "[]";
+    }
     std::string operator()(const std::vector<StartPets>* slot) const {
         json list = json::array();
         for (const StartPets& pets : *slot) {
-            list.push_back({{"kind", pets.kind}, {"count", pets.count}});
+            json item{{"kind", pets.kind}, {"count", pets.count}};
+            if (pets.at) {
+                item.update({{"x", pets.at->x}, {"y", pets.at->y}});
+            }
+            if (pets.velocity != Vec2{}) {
+                item.update({{"vx", pets.velocity.x}, {"vy", pets.velocity.y}});
+            }
+            list.push_back(std::move(item));
         }
         return list.dump();
     }
@@ -225,11 +247,13 @@ struct SlotDefault {
 
 template <typename Target>
 void describe(
-    std::string_view prefix, std::span<const Field<Target>> fields, std::vector<ConfigField>& list
+    std::string_view prefix,
+    std::span<const Field<Target>> fields,
+    Target values,
+    std::vector<ConfigField>& list
 ) {
-    Target defaults;
     for (const Field<Target>& field : fields) {
-        const Slot slot = field.slot(defaults);
+        const Slot slot = field.slot(values);
         list.push_back(
             {.path = std::string(prefix) + std::string(field.path),
              .type = std::string(std::visit(SlotType{}, slot)),
@@ -246,10 +270,16 @@ void describe(
 }  // namespace
 
 std::vector<ConfigField> config_fields() {
+    return config_values(Config{});
+}
+
+std::vector<ConfigField> config_values(const Config& config) {
     std::vector<ConfigField> list;
-    describe<Config>("", config_table(), list);
-    describe<StartItem>("/pets/start/*", start_table(), list);
-    describe<FullScreenRule>("/overlay/fullscreen_rules/*", full_screen_rule_table(), list);
+    describe<Config>("", config_table(), config, list);
+    describe<StartItem>("/pets/start/*", start_table(), StartItem{}, list);
+    describe<FullScreenRule>(
+        "/overlay/fullscreen_rules/*", full_screen_rule_table(), FullScreenRule{}, list
+    );
     return list;
 }
 

@@ -16,8 +16,10 @@ Daemon::Daemon(Desktop& desktop, DaemonOptions options)
       sets_{placeholder_sprite_set("hyrax")},
       engine_(kinds_of(sets_), config_.engine, options.seed),
       scripts_(std::move(options.scripts)),
+      control_(std::move(options.control)),
       trace_(std::move(options.trace)),
-      first_requests_(std::move(options.requests)) {
+      first_requests_(std::move(options.requests)),
+      begin_(desktop.now()) {
     recall();
     read_config();
     read_kinds();
@@ -68,6 +70,7 @@ void Daemon::draw(Ticks now) {
         changed_ = engine_.has_events();
     }
     mind_windows();
+    control_.tell_watchers(engine_, desktop_, to_seconds(world - begin_));
     Staged next;
     if (!so.windowless && !remembered_.hidden) {
         next = staged(
@@ -95,6 +98,10 @@ void Daemon::draw(Ticks now) {
     const Ticks due = std::min({wake, presence_.due(), scripts_.watch_due(), show_at_});
     next_frame_ = every_frame ? pacer_.next() : std::max(due, pacer_.next());
     choose_conduct(every_frame, !clock_.paused() && next.next_change != never);
+    ++frames_;
+    if (control_.is_open()) {
+        drawing_ += desktop_.now() - now;
+    }
 }
 
 void Daemon::welcome() {
@@ -136,8 +143,8 @@ std::string Daemon::problem() const {
     return place_problem_;
 }
 
-void Daemon::report() {
-    Status status{
+Status Daemon::status() const {
+    return {
         .pets = engine_.size(),
         .paused = paused_,
         .hidden = remembered_.hidden,
@@ -145,8 +152,22 @@ void Daemon::report() {
         .problem = problem(),
         .note = presence_.decisions().note,
     };
-    if (status != shown_status_) {
-        shown_status_ = std::move(status);
+}
+
+Figures Daemon::figures() const {
+    const Ticks world = clock_.at(desktop_.now());
+    const auto frames = static_cast<double>(std::max<std::uint64_t>(1, frames_));
+    return {
+        .seconds = to_seconds(world - begin_),
+        .frames = frames_,
+        .frame_ns = static_cast<double>(drawing_) / frames,
+    };
+}
+
+void Daemon::report() {
+    Status now = status();
+    if (now != shown_status_) {
+        shown_status_ = std::move(now);
         desktop_.show_status(shown_status_);
     }
 }

@@ -4,6 +4,7 @@
 
 #include "daemon/core/atlas.h"
 #include "daemon/core/config.h"
+#include "daemon/core/control_desk.h"
 #include "daemon/core/desktop.h"
 #include "daemon/core/engine.h"
 #include "daemon/core/hand.h"
@@ -28,11 +29,19 @@ namespace hyrax {
 struct DaemonOptions {
     Profile profile;
     ImageDecoder decode;
-    std::unique_ptr<ScriptHost> scripts;  ///< None: scripts are not run.
+    std::unique_ptr<ScriptHost> scripts;             ///< None: scripts are not run.
+    std::unique_ptr<ControlPort> control = nullptr;  ///< None: nobody answers clients.
     std::optional<Trace> trace;
     std::vector<Request> requests;  ///< Carried out after the start-up pets have come.
     std::optional<double> fps;      ///< Instead of the config's.
     std::uint32_t seed = 1;         ///< For pets without a given place.
+};
+
+/// What the daemon has done, as far as it is asked.
+struct Figures {
+    double seconds = 0.0;      ///< Since the start, pauses left out.
+    std::uint64_t frames = 0;  ///< Drawn, whether or not they differed from the one before.
+    double frame_ns = 0.0;     ///< Mean time that drawing one took; 0 without a control channel.
 };
 
 class Daemon {
@@ -45,13 +54,20 @@ public:
     void run();
     /// Draws the frame that is due, if one is. For message loops that are not run()'s own: menus.
     void run_due();
+    /// Does at once what an input asks for; the picture follows with the next frame.
+    void handle(const Input& input);
 
     const Engine& engine() const { return engine_; }
+    Engine& engine() { return engine_; }
+    const Config& config() const { return config_; }
+    const Profile& profile() const { return profile_; }
+    const std::vector<ScriptSource>& scripts() const { return sources_; }
+    Status status() const;
+    Figures figures() const;
     const Frame& frame() const { return frame_; }
 
 private:
     // daemon_input.cpp
-    void handle(const Input& input);
     void on(const input::Pressed& pressed);
     void on(const input::Moved& moved);
     void on(const input::Released& released);
@@ -63,6 +79,8 @@ private:
     void on(const input::FactsChanged& changed);
     void on(const input::ScriptsHeard& heard);
     void on(const input::WindowsChanged& changed);
+    void on(const input::Asked& asked);
+    void on(const input::Left& left);
     void on(const Request& request);
 
     void carry_out(const request::Spawn& spawn);
@@ -132,6 +150,7 @@ private:
     Atlas atlas_;
     Engine engine_;
     ScriptBridge scripts_;
+    ControlDesk control_;
     std::optional<Trace> trace_;
     std::vector<Request> first_requests_;
 
@@ -152,6 +171,9 @@ private:
     Hand hand_;
     Frame frame_;
     Ticks next_frame_ = 0;
+    Ticks begin_ = 0;
+    Ticks drawing_ = 0;  ///< Time spent in draw().
+    std::uint64_t frames_ = 0;
     bool changed_ = true;
     bool welcomed_ = false;
     bool quitting_ = false;

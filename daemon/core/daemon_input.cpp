@@ -80,6 +80,14 @@ void Daemon::on(const input::ScriptsHeard&) {
     scripts_.watch(desktop_.now());
 }
 
+void Daemon::on(const input::Asked& asked) {
+    control_.answer(*this, desktop_, asked);
+}
+
+void Daemon::on(const input::Left& left) {
+    control_.forget(engine_, left.client);
+}
+
 void Daemon::on(const Request& request) {
     std::visit([this](const auto& which) { carry_out(which); }, request);
 }

@@ -16,10 +16,14 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 namespace hyrax {
+
+/// A client of the control channel, while it stays; no two have the same.
+using ClientId = std::uint64_t;
 
 namespace input {
 /// The pointer, in virtual desktop pixels. Pressed comes only for points on a pet's pixels.
@@ -63,6 +67,15 @@ struct FactsChanged {
 struct ScriptsHeard {};
 /// Windows of other programs came, went, moved or changed their order.
 struct WindowsChanged {};
+/// A client of the control channel asks something, in a text that is not checked yet.
+struct Asked {
+    ClientId client = 0;
+    std::string text;
+};
+/// A client that more answers were meant for is gone.
+struct Left {
+    ClientId client = 0;
+};
 }  // namespace input
 
 using Input = std::variant<
@@ -77,6 +90,8 @@ using Input = std::variant<
     input::FactsChanged,
     input::ScriptsHeard,
     input::WindowsChanged,
+    input::Asked,
+    input::Left,
     Request>;
 
 /// What the daemon wants to hear of other programs' windows.
@@ -113,6 +128,8 @@ struct Conduct {
     bool resting = true;             ///< Nothing moves: little of the processor is needed.
     bool operator==(const Conduct&) const = default;
 };
+/// Whether a client of the control channel hears more after an answer.
+enum class Answer : std::uint8_t { last, more };
 
 /// A machine with screens, a pointer and a clock. One thread.
 class Desktop {
@@ -154,6 +171,9 @@ public:
         const auto now = std::chrono::system_clock::now().time_since_epoch();
         return {std::chrono::duration_cast<std::chrono::seconds>(now).count(), 0};
     }
+    /// Sends a text to a client of the control channel, without waiting for it to be read. A client
+    /// that has gone, or that reads too slowly, does not get it.
+    virtual void answer(ClientId, std::string_view, Answer) {}
 };
 
 }  // namespace hyrax

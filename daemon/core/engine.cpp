@@ -303,8 +303,8 @@ void Engine::place(Pet& pet, Vec2 position) {
 }
 
 void Engine::set_in_motion(PetId id, Pet& pet, Vec2 velocity) {
-    const WallEvents walls =
-        listening_.has(EventKind::bounce) ? WallEvents::wanted : WallEvents::not_wanted;
+    const bool heard = listening_.has(EventKind::bounce) || watching_.has(EventKind::bounce);
+    const WallEvents walls = heard ? WallEvents::wanted : WallEvents::not_wanted;
     pet.shown.velocity = velocity;
     pet.body.launch(pet.position(), velocity, rules_, around(pet), walls);
     pet.started = false;
@@ -383,6 +383,9 @@ double Engine::random_unit() {
 void Engine::emit(const Event& event) {
     if (listening_.has(event.kind)) {
         events_.push_back(event);
+    }
+    if (watching_.has(event.kind)) {
+        watched_.push_back(event);
     }
 }
 

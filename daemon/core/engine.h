@@ -17,6 +17,7 @@
 #include <random>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace hyrax {
@@ -179,6 +180,9 @@ public:
     bool has_events() const { return !events_.empty(); }
     /// The events since the last call, oldest first.
     std::vector<Event> take_events();
+    /// The same for a second listener, with a list of its own.
+    void watch(EventMask mask) { watching_ = mask; }
+    std::vector<Event> take_watched() { return std::exchange(watched_, {}); }
 
 private:
     struct Held {
@@ -241,6 +245,8 @@ private:
     std::vector<Rect> frozen_areas_;
     std::vector<Event> events_;
     EventMask listening_;
+    std::vector<Event> watched_;
+    EventMask watching_;
     std::uint64_t contacts_ = 0;
     std::minstd_rand random_;
     Ticks now_ = 0;

@@ -208,6 +208,7 @@ private:
     bool open(json empty) {
         const bool object = empty.is_object();
         LocatedJson container = begin(std::move(empty));
+        container.source = cursor_.rest();
         if (open_.size() == max_json_depth) {
             fault_ = fmt::format(
                 "{}: nested more than {} deep", place_in_file(file_, container.at), max_json_depth
@@ -225,6 +226,7 @@ private:
         cursor_.advance(1);
         LocatedJson container = std::move(open_.back().container);
         open_.pop_back();
+        container.source.remove_suffix(cursor_.rest().size());
         finish(std::move(container));
         return true;
     }

@@ -23,7 +23,7 @@ struct LocatedJson {
     std::string key;      ///< Of a member, with its escapes resolved; else empty.
     TextPosition key_at;  ///< Where the key's opening quote is; like `at` where there is no key.
     TextPosition at;      ///< Where the value begins.
-    std::string_view source;  ///< A scalar as the file writes it; a view into the parsed text.
+    std::string_view source;  ///< As the file writes it; a view into the parsed text.
     nlohmann::json value;     ///< The scalar; an *empty* object or array where there are children.
     std::vector<LocatedJson> children;  ///< In the file's order; no key twice.
 

@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,12 @@ struct TimedInput {
     Input input;
     /// What the world does just before, such as a file that changes.
     std::function<void()> before = {};
+};
+
+struct RecordedAnswer {
+    ClientId client = 0;
+    std::string text;
+    Answer which = Answer::last;
 };
 
 /// Runs as fast as the machine can. Asked to wait for ever with nothing left to come, it quits.
@@ -53,6 +60,9 @@ public:
     /// The clock starts at noon of the first of January 2026, UTC.
     WallTime wall_time() override { return {1'767'268'800 + now_ / ticks_per_second, 0}; }
     void set_pointer(Point at) { pointer_ = at; }
+    void answer(ClientId client, std::string_view text, Answer which) override {
+        answers_.push_back({client, std::string(text), which});
+    }
 
     void follow(const Conduct& conduct) override { conduct_ = conduct; }
 
@@ -67,6 +77,7 @@ public:
     const std::vector<Status>& statuses() const { return statuses_; }
     const std::vector<MenuItems>& menus() const { return menus_; }
     const std::vector<std::string>& greetings() const { return greetings_; }
+    const std::vector<RecordedAnswer>& answers() const { return answers_; }
 
 private:
     Ticks window_change() const;
@@ -87,6 +98,7 @@ private:
     std::vector<MenuItems> menus_;
     std::vector<std::string> greetings_;
     std::optional<Point> pointer_;
+    std::vector<RecordedAnswer> answers_;
 };
 
 /// The frame over the bounding box of the monitors, transparent where no pet is.

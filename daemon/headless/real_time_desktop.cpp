@@ -46,8 +46,12 @@ int SignalWatch::next() const {
     return came ? static_cast<int>(info.ssi_signo) : 0;
 }
 
-RealTimeDesktop::RealTimeDesktop(std::vector<Monitor> monitors, Ticks span)
-    : monitors_(std::move(monitors)), end_(now() + span) {}
+RealTimeDesktop::RealTimeDesktop(
+    std::vector<Monitor> monitors, Ticks span, std::optional<ControlSocket> control
+)
+    : monitors_(std::move(monitors)),
+      end_(span > never - now() ? never : now() + span),
+      control_(std::move(control)) {}
 
 Ticks RealTimeDesktop::now() {
     const auto since = std::chrono::steady_clock::now().time_since_epoch();
@@ -55,18 +59,23 @@ Ticks RealTimeDesktop::now() {
 }
 
 std::vector<Input> RealTimeDesktop::wait(Ticks deadline) {
+    std::vector<Input> inbox;
     while (true) {
         const Ticks time = now();
+        if (control_) {
+            control_->serve(time, inbox);
+        }
         if (time >= end_ || told_to_quit()) {
-            return {Request{request::Quit{}}};
+            inbox.emplace_back(Request{request::Quit{}});
         }
         if (time >= overlay_.due()) {
             overlay_.present_again(monitors_, time);
         }
-        if (time >= deadline) {
-            return {};
+        if (!inbox.empty() || time >= deadline) {
+            return inbox;
         }
-        sleep_until(std::min({deadline, end_, overlay_.due()}));
+        const Ticks control_due = control_ ? control_->due() : never;
+        sleep_until(std::min({deadline, end_, overlay_.due(), control_due}));
     }
 }
 
@@ -87,11 +96,21 @@ void RealTimeDesktop::sleep_until(Ticks due) {
     if (due <= time) {
         return;
     }
+    std::vector<pollfd> watched{{.fd = signals_.descriptor(), .events = POLLIN, .revents = 0}};
+    if (control_) {
+        control_->poll_for(watched);
+    }
     const timespec span = to_timespec(due - time);
-    pollfd watched{.fd = signals_.descriptor(), .events = POLLIN, .revents = 0};
-    const int ready = ::ppoll(&watched, 1, &span, nullptr);
+    const int ready =
+        ::ppoll(watched.data(), watched.size(), due == never ? nullptr : &span, nullptr);
     ++counters_.wakeups;
     counters_.timer_wakeups += ready == 0 ? 1U : 0U;
+}
+
+void RealTimeDesktop::answer(ClientId client, std::string_view text, Answer which) {
+    if (control_) {
+        control_->answer(client, text, which, now());
+    }
 }
 
 void RealTimeDesktop::present(const Frame& frame) {

@@ -4,9 +4,12 @@
 
 #include "daemon/core/desktop.h"
 #include "daemon/core/statistics.h"
+#include "daemon/headless/control_socket.h"
 #include "daemon/headless/memory_overlay.h"
 
 #include <functional>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace hyrax {
@@ -31,7 +34,10 @@ private:
 /// Quits after `span`, and on SIGINT or SIGTERM.
 class RealTimeDesktop : public Desktop {
 public:
-    RealTimeDesktop(std::vector<Monitor> monitors, Ticks span);
+    /// `span` may be `never`. Without a control channel nobody can ask it anything.
+    RealTimeDesktop(
+        std::vector<Monitor> monitors, Ticks span, std::optional<ControlSocket> control = {}
+    );
 
     /// Called from wait() for each SIGUSR1.
     void on_statistics_request(std::function<void()> tell) { tell_ = std::move(tell); }
@@ -43,6 +49,7 @@ public:
     void use_renderer(Renderer) override {}
     std::vector<Monitor> monitors() override { return monitors_; }
     void show_status(const Status&) override {}
+    void answer(ClientId client, std::string_view text, Answer which) override;
 
     const Frame& last_frame() const { return overlay_.frame(); }
     DesktopCounters counters() const;
@@ -54,6 +61,7 @@ private:
     SignalWatch signals_;
     std::vector<Monitor> monitors_;
     Ticks end_;
+    std::optional<ControlSocket> control_;
     std::function<void()> tell_;
     MemoryOverlay overlay_;
     DesktopCounters counters_;

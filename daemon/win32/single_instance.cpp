@@ -3,10 +3,8 @@
 
 #include "daemon/win32/argument_packing.h"
 #include "daemon/win32/text.h"
+#include "daemon/win32/user.h"
 
-#include <sddl.h>
-
-#include <array>
 #include <cstdint>
 #include <cwctype>
 #include <string_view>
@@ -17,24 +15,6 @@ namespace {
 
 /// Tells our messages from those of other programs.
 constexpr ULONG_PTR copy_data_mark = 0x48595258;  // "HYRX"
-
-Result<std::wstring> user_sid() {
-    HANDLE opened = nullptr;
-    if (::OpenProcessToken(::GetCurrentProcess(), TOKEN_QUERY, &opened) == 0) {
-        return std::unexpected(system_error("cannot tell who the user is"));
-    }
-    const KernelObject token(opened);
-    alignas(TOKEN_USER) std::array<std::byte, sizeof(TOKEN_USER) + SECURITY_MAX_SID_SIZE> buffer{};
-    DWORD size = static_cast<DWORD>(buffer.size());
-    wchar_t* text = nullptr;
-    const auto* const user = reinterpret_cast<const TOKEN_USER*>(buffer.data());
-    if (::GetTokenInformation(token.raw(), TokenUser, buffer.data(), size, &size) == 0 ||
-        ::ConvertSidToStringSidW(user->User.Sid, &text) == 0) {
-        return std::unexpected(system_error("cannot tell who the user is"));
-    }
-    const LocalMemory owner(text);
-    return std::wstring(text);
-}
 
 /// FNV-1a: names of kernel objects may hold neither backslashes nor more than 260 characters.
 std::uint64_t hash_of(std::wstring_view text) {
@@ -79,13 +59,18 @@ HWND find_daemon(const std::wstring& name) {
 
 }  // namespace
 
-Result<SingleInstance> SingleInstance::claim(const std::filesystem::path& profile) {
+Result<std::wstring> instance_name(const std::filesystem::path& profile) {
     const Result<std::wstring> user = user_sid();
-    if (!user) {
-        return std::unexpected(user.error());
+    return user ? Result<std::wstring>(name_for(*user, profile)) : user;
+}
+
+Result<SingleInstance> SingleInstance::claim(const std::filesystem::path& profile) {
+    Result<std::wstring> name = instance_name(profile);
+    if (!name) {
+        return std::unexpected(name.error());
     }
     SingleInstance instance;
-    instance.name_ = name_for(*user, profile);
+    instance.name_ = *std::move(name);
     instance.mutex_ =
         KernelObject(::CreateMutexW(nullptr, FALSE, (L"Local\\" + instance.name_).c_str()));
     const DWORD outcome = ::GetLastError();

@@ -13,6 +13,9 @@
 
 namespace hyrax::win32 {
 
+/// The name of the profile's daemon, for this user: "hyrax-" and a hash.
+[[nodiscard]] Result<std::wstring> instance_name(const std::filesystem::path& profile);
+
 class SingleInstance {
 public:
     /// Takes the place of the profile's daemon if it is free, until the process ends.

@@ -85,6 +85,12 @@ void Win32Desktop::show_status(const Status& status) {
     tray_->set_tip(tip_text(status));
 }
 
+void Win32Desktop::answer(ClientId client, std::string_view text, Answer which) {
+    if (options_.control) {
+        options_.control->answer(client, text, which, clock_now());
+    }
+}
+
 std::vector<Input> Win32Desktop::wait(Ticks deadline) {
     HYRAX_CHECK(!waiting_);
     waiting_ = true;
@@ -119,7 +125,10 @@ void Win32Desktop::drain_messages() {
 }
 
 Ticks Win32Desktop::chores_due() const {
-    return std::min({files_.due(), screens_.due(), overlay_.due(), tray_->due(), presence_due()});
+    const Ticks control = options_.control ? options_.control->due() : never;
+    return std::min(
+        {files_.due(), screens_.due(), overlay_.due(), tray_->due(), presence_due(), control}
+    );
 }
 
 void Win32Desktop::do_chores() {
@@ -130,6 +139,9 @@ void Win32Desktop::do_chores() {
     if (time >= screens_.due() && screens_.settle(read_screens(), time)) {
         overlay_.forget_pixels();
         inbox_.emplace_back(input::MonitorsChanged{});
+    }
+    if (options_.control) {
+        options_.control->serve(time, inbox_);
     }
     tray_->retry(time);
     look_around(time);
@@ -144,10 +156,14 @@ void Win32Desktop::sleep_until(Ticks due) {
     } else {
         alarm_.set(due - clock_now());
     }
-    const std::array<HANDLE, 2> events{alarm_.event(), files_.event()};
+    std::array<HANDLE, 3> events{alarm_.event(), files_.event()};
+    DWORD count = 2;
+    if (options_.control) {
+        events[count++] = options_.control->event();
+    }
     // MWMO_INPUTAVAILABLE: also for messages that an earlier look at the queue has seen.
     const DWORD cause = ::MsgWaitForMultipleObjectsEx(
-        static_cast<DWORD>(events.size()), events.data(), INFINITE, QS_ALLINPUT, MWMO_INPUTAVAILABLE
+        count, events.data(), INFINITE, QS_ALLINPUT, MWMO_INPUTAVAILABLE
     );
     ++counters_.wakeups;
     counters_.timer_wakeups += cause == WAIT_OBJECT_0 ? 1U : 0U;

@@ -15,6 +15,7 @@
 #include "daemon/win32/messages.h"
 #include "daemon/win32/monitor_watch.h"
 #include "daemon/win32/overlay.h"
+#include "daemon/win32/pipe_server.h"
 #include "daemon/win32/pointer.h"
 #include "daemon/win32/screens.h"
 #include "daemon/win32/tray_icon.h"
@@ -35,6 +36,7 @@ struct Win32DesktopOptions {
     std::vector<std::wstring> unwatched;  ///< Names in the profile whose changes do not count.
     std::filesystem::path config_file;    ///< Opened by the menu.
     std::wstring instance_name;           ///< SingleInstance::name()
+    std::unique_ptr<PipeServer> control;  ///< None: nobody can speak to the daemon by a pipe.
 
     /// What the arguments of a second start ask for; must report mistakes itself.
     std::function<std::vector<Request>(const std::vector<std::string>&)> parse_arguments;
@@ -64,6 +66,7 @@ public:
     std::vector<Monitor> monitors() override;
     void show_status(const Status& status) override;
     void follow(const Conduct& conduct) override;
+    void answer(ClientId client, std::string_view text, Answer which) override;
 
 private:
     explicit Win32Desktop(Win32DesktopOptions options);

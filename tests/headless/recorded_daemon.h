@@ -62,6 +62,7 @@ public:
                 },
             .decode = decode_png,
             .scripts = make_script_host({}),
+            .control = std::move(control),
             .trace = {},
             .requests = std::move(requests),
             .fps = {},
@@ -73,6 +74,7 @@ public:
     TemporaryFolder folder;
     HeadlessDesktop desktop;
     std::vector<Request> requests;
+    std::unique_ptr<ControlPort> control;
     std::optional<Daemon> daemon;
 };
 

@@ -30,7 +30,7 @@ ROOMS = {
     "daemon/script/": {"std", "physics", "script", "core", "log", "lua"},
     "daemon/control/": {"std", "control", "core", "log", "json", "cli"},
     "daemon/win32/": {"std", "physics", "win32", "core", "control", "log", "windows"},
-    "daemon/headless/": {"std", "physics", "headless", "core", "log", "posix", "png"},
+    "daemon/headless/": {"std", "physics", "headless", "core", "control", "log", "posix", "png"},
     "daemon/main_": {"std", "physics", "core", "script", "control", "win32", "headless", "log", "cli", "windows", "posix"},
     "tests/": None,  # anything
 }

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/core/control_desk.h"
+
+#include "daemon/core/daemon.h"
+
+namespace hyrax {
+
+void ControlDesk::answer(Daemon& daemon, Desktop& desktop, const input::Asked& asked) {
+    if (!port_) {
+        return;
+    }
+    const ControlAnswer given = port_->answer(daemon, asked.text, watchers_.size());
+    if (given.watch) {
+        watchers_.push_back({asked.client, *given.watch});
+        watch(daemon.engine());
+    }
+    desktop.answer(asked.client, given.text, given.watch ? Answer::more : Answer::last);
+}
+
+void ControlDesk::forget(Engine& engine, ClientId client) {
+    if (std::erase_if(watchers_, [client](const Watcher& w) { return w.client == client; }) > 0) {
+        watch(engine);
+    }
+}
+
+void ControlDesk::tell_watchers(Engine& engine, Desktop& desktop, double seconds) {
+    if (watchers_.empty()) {
+        return;
+    }
+    for (const Event& event : engine.take_watched()) {
+        const std::string text = port_->told(engine, event, seconds);
+        for (const Watcher& watcher : watchers_) {
+            if (watcher.mask.has(event.kind)) {
+                desktop.answer(watcher.client, text, Answer::more);
+            }
+        }
+    }
+}
+
+void ControlDesk::watch(Engine& engine) const {
+    EventMask wanted;
+    for (const Watcher& watcher : watchers_) {
+        wanted.add(watcher.mask);
+    }
+    engine.watch(wanted);
+    if (watchers_.empty()) {
+        engine.take_watched();
+    }
+}
+
+}  // namespace hyrax

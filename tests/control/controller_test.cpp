@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/control/controller.h"
+
+#include "daemon/core/files.h"
+#include "daemon/core/framing.h"
+#include "tests/headless/recorded_daemon.h"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <string>
+
+using namespace hyrax;
+using nlohmann::json;
+
+namespace {
+
+constexpr std::string_view one_pet = R"({
+    "pets": {"start": [{"x": 900, "y": 400}]},
+    // kept
+    "physics": {"gravity": 1200}
+})";
+
+/// A daemon whose clients ask at moments of the virtual clock; the answers come in order.
+class AskedDaemon {
+public:
+    explicit AskedDaemon(double seconds, std::string_view config = one_pet) : recorded(seconds) {
+        recorded.config(config);
+        recorded.control = make_controller(write_file_atomically);
+    }
+    void at(double seconds, std::string request) {
+        recorded.at(seconds, input::Asked{next_client_++, std::move(request)});
+    }
+    void run() { recorded.run(); }
+    json answer(std::size_t number) const {
+        return json::parse(recorded.desktop.answers().at(number).text);
+    }
+    json result(std::size_t number) const {
+        const json given = answer(number);
+        REQUIRE_MESSAGE(given["ok"] == true, given.dump());
+        return given["result"];
+    }
+    std::string refusal(std::size_t number) const {
+        const json given = answer(number);
+        REQUIRE_MESSAGE(given["ok"] == false, given.dump());
+        return given["error"]["code"].get<std::string>() + ": " +
+               given["error"]["message"].get<std::string>();
+    }
+
+    RecordedDaemon recorded;
+
+private:
+    ClientId next_client_ = 1;
+};
+
+}  // namespace
+
+TEST_CASE("pets are spawned, chosen, listed, thrown and removed") {
+    AskedDaemon daemon(5.0);
+    daemon.at(1.0, R"({"do": "spawn", "count": 2, "x": 100, "y": 50, "tag": "party"})");
+    daemon.at(1.0, R"({"do": "list", "tag": "party"})");
+    daemon.at(1.0, R"({"do": "fling", "tag": "party", "vx": 300, "vy": -400})");
+    daemon.at(1.0, R"({"do": "list", "pet": "1.1"})");
+    daemon.at(1.5, R"({"do": "stop", "tag": "party"})");
+    daemon.at(1.5, R"({"do": "list", "first": 1, "most": 1})");
+    daemon.at(1.6, R"({"do": "reset", "pet": "1.1"})");
+    daemon.at(1.6, R"({"do": "list", "pet": "1.1"})");
+    daemon.at(1.7, R"({"do": "remove", "tag": "party"})");
+    daemon.at(1.7, R"({"do": "list"})");
+    daemon.at(1.7, R"({"do": "fling"})");
+    daemon.run();
+    CHECK(daemon.result(0) == json{{"pets", {"1.1", "2.1"}}});
+    CHECK(daemon.result(1)["total"] == 2);
+    CHECK(daemon.result(1)["pets"][0]["x"] == 100.0);
+    CHECK(daemon.result(1)["pets"][0]["state"] == "airborne");
+    CHECK(daemon.result(2) == json{{"pets", 2}});
+    CHECK(daemon.result(3)["pets"][0]["vx"] == 300.0);
+    CHECK(daemon.result(3)["pets"][0]["vy"] == -400.0);
+    CHECK(daemon.result(5)["total"] == 3);
+    CHECK(daemon.result(5)["pets"].size() == 1);
+    CHECK(daemon.result(5)["pets"][0]["id"] == "1.1");
+    CHECK(daemon.result(5)["pets"][0]["vx"] == 0.0);
+    CHECK(daemon.result(5)["pets"][0]["x"] > 200.0);
+    CHECK(daemon.result(7)["pets"][0]["x"] == 100.0);
+    CHECK(daemon.result(8) == json{{"pets", 2}});
+    CHECK(daemon.result(9)["total"] == 1);
+    CHECK(daemon.result(10) == json{{"pets", 1}});
+    CHECK(daemon.recorded.desktop.answers()[10].which == Answer::last);
+}
+
+TEST_CASE("what the engine refuses is told, and nothing has happened") {
+    AskedDaemon daemon(3.0);
+    daemon.at(1.0, R"({"do": "spawn", "count": 100})");
+    daemon.at(1.0, R"({"do": "list"})");
+    daemon.at(1.0, R"({"do": "spawn", "kind": "marmot"})");
+    daemon.at(1.0, R"({"do": "spawn", "x": 5})");
+    daemon.at(1.0, R"({"do": "stop", "pet": "7.7"})");
+    daemon.at(1.0, R"({"do": "fling", "kind": "hyrax"})");
+    daemon.at(1.0, "nonsense");
+    daemon.run();
+    CHECK(daemon.refusal(0).starts_with("refused: spawn: the population limit of 100 pets"));
+    CHECK(daemon.result(1)["total"] == 1);
+    CHECK(daemon.refusal(2) == "refused: spawn: there is no kind of pet named \"marmot\"");
+    CHECK(daemon.refusal(3) == "bad_request: x and y are only allowed together");
+    CHECK(daemon.refusal(4) == "no_such_pet: there is no pet \"7.7\"");
+    CHECK(
+        daemon.refusal(5) == "bad_request: vx or vy must tell how fast the chosen pets are to fly"
+    );
+    CHECK(daemon.refusal(6).starts_with("bad_json: request:1:1: "));
+}
+
+TEST_CASE("status tells what the daemon does, pause and resume hold and free it, quit ends it") {
+    AskedDaemon daemon(100.0);
+    daemon.at(0.5, R"({"do": "status"})");
+    daemon.at(0.6, R"({"do": "pause"})");
+    daemon.at(50.0, R"({"do": "status"})");
+    daemon.at(50.0, R"({"do": "resume"})");
+    daemon.at(80.0, R"({"do": "status"})");
+    daemon.at(90.0, R"({"do": "quit"})");
+    daemon.run();
+    CHECK(daemon.result(0)["pets"] == 1);
+    CHECK(daemon.result(0)["awake"] == 1);
+    CHECK(daemon.result(0)["integrator"] == "event_driven");
+    CHECK(daemon.result(0)["energy"] > 0.0);
+    CHECK(daemon.result(0)["seconds"] == 0.5);
+    CHECK(daemon.result(0)["frames"] >= 30);
+    CHECK(daemon.result(1) == json{{"paused", true}});
+    CHECK(daemon.result(2)["paused"] == true);
+    CHECK(daemon.result(2)["seconds"] == 0.6);
+    CHECK(daemon.result(4)["asleep"] == 1);
+    CHECK(daemon.result(4)["contacts_per_second"] > 0.0);
+    CHECK(daemon.result(4)["problem"] == "");
+    CHECK(daemon.result(5) == json::object());
+    CHECK(to_seconds(daemon.recorded.desktop.now()) == doctest::Approx(90.0));
+}
+
+TEST_CASE("a setting is read, written into the file, and holds at once") {
+    AskedDaemon daemon(2.0);
+    daemon.at(1.0, R"({"do": "config get", "key": "/physics/gravity"})");
+    daemon.at(1.0, R"({"do": "config set", "key": "physics.gravity", "value": 0})");
+    daemon.at(1.0, R"({"do": "config get", "key": "physics.gravity"})");
+    daemon.at(1.0, R"({"do": "config set", "key": "physics.restitution", "value": 1.5})");
+    daemon.at(1.0, R"({"do": "config set", "key": "scripts.run", "value": ["a.lua"]})");
+    daemon.at(1.0, R"({"do": "config get"})");
+    daemon.run();
+    CHECK(daemon.result(0)["value"] == 1200.0);
+    CHECK(daemon.result(0)["unit"] == "px/s^2");
+    CHECK(daemon.result(1) == json{{"key", "physics.gravity"}, {"value", 0}});
+    CHECK(daemon.result(2)["value"] == 0.0);
+    CHECK(daemon.refusal(3).starts_with("bad_value: not written: "));
+    CHECK(daemon.refusal(3).ends_with("/physics/restitution: must be a number from 0 to 1, got 1.5")
+    );
+    CHECK(daemon.result(4)["value"] == json{"a.lua"});
+    CHECK(daemon.result(5)["settings"].size() > 15);
+    CHECK(daemon.recorded.daemon->engine().settings().physics.gravity == 0.0);
+    CHECK(
+        daemon.recorded.folder.read("config.json") ==
+        "{\n    \"scripts\": {\"run\": [\"a.lua\"]},\n"
+        "    \"pets\": {\"start\": [{\"x\": 900, \"y\": 400}]},\n"
+        "    // kept\n"
+        "    \"physics\": {\"gravity\": 0}\n}"
+    );
+}
+
+TEST_CASE("reload tells what is wrong, scripts are shown") {
+    AskedDaemon daemon(2.0);
+    daemon.recorded.script("a.lua", "local x = 1");
+    daemon.at(0.5, R"({"do": "scripts"})");
+    daemon.at(0.5, R"({"do": "reload"})");
+    daemon.recorded.desktop.add({
+        from_seconds(1.0),
+        input::Asked{9, R"({"do": "reload"})"},
+        [&daemon] { daemon.recorded.config("{"); },
+    });
+    daemon.run();
+    CHECK(daemon.result(0)["scripts"] == json{{{"name", "a.lua"}, {"bytes", 11}}});
+    CHECK(daemon.result(1) == json::object());
+    CHECK(daemon.refusal(2).starts_with("problem: "));
+    CHECK(daemon.refusal(2).contains("config.json:1:2: "));
+}
+
+TEST_CASE("those who watch hear of what they want, until they leave") {
+    AskedDaemon daemon(10.0);
+    daemon.at(0.0, R"({"do": "events", "only": ["land", "spawn"]})");          // 1
+    daemon.at(0.0, R"({"do": "events"})");                                     // 2
+    daemon.at(0.0, R"({"do": "events"})");                                     // 3
+    daemon.at(4.0, R"({"do": "spawn", "kind": "hyrax", "x": 100, "y": 50})");  // 4
+    daemon.recorded.at(4.5, input::Left{2});
+    daemon.recorded.at(6.0, input::Left{1});
+    daemon.at(7.0, R"({"do": "spawn"})");   // 5
+    daemon.at(7.0, R"({"do": "events"})");  // 6
+    daemon.at(8.0, R"({"do": "remove"})");  // 7
+    daemon.run();
+    std::map<ClientId, std::vector<json>> heard;
+    for (const RecordedAnswer& answer : daemon.recorded.desktop.answers()) {
+        heard[answer.client].push_back(json::parse(answer.text));
+    }
+    CHECK(heard[1][0]["result"]["events"] == json{"spawn", "land"});
+    CHECK(heard[3][0]["error"]["code"] == "busy");
+    std::vector<std::string> names;
+    for (std::size_t i = 1; i < heard[1].size(); ++i) {
+        names.push_back(heard[1][i]["event"]);
+    }
+    CHECK(names == std::vector<std::string>{"land", "spawn", "land"});
+    CHECK(heard[1][2]["kind"] == "hyrax");
+    CHECK(heard[1][2]["pet"] == "1.1");
+    CHECK(heard[1][3]["speed"] > 100.0);
+    CHECK(heard[1][3]["seconds"].get<double>() > 4.0);
+    // The second left before the second landing.
+    CHECK(heard[2].back()["event"] != "land");
+    CHECK(heard[2].size() > 4);
+    CHECK(heard[6].back()["event"] == "remove");
+}
+
+TEST_CASE("an answer never breaks the bounds of a message") {
+    AskedDaemon daemon(2.0, R"({"pets": {"start": [{"count": 1000}], "max": 10000}})");
+    daemon.at(1.0, R"({"do": "list", "most": 200})");
+    daemon.at(1.0, R"({"do": ")" + std::string(60'000, 'a') + "\"}");
+    daemon.at(1.0, std::string(60'000, '{'));
+    daemon.at(1.0, R"({"do": "spawn", "count": 1000})");
+    daemon.run();
+    CHECK(daemon.result(0)["pets"].size() == 200);
+    for (const RecordedAnswer& answer : daemon.recorded.desktop.answers()) {
+        CHECK(answer.text.size() >= min_message);
+        CHECK(answer.text.size() <= max_message);
+    }
+}
+
+TEST_CASE("without a controller nobody is answered") {
+    RecordedDaemon recorded(1.0);
+    recorded.at(0.5, input::Asked{1, R"({"do": "quit"})"});
+    recorded.run();
+    CHECK(recorded.desktop.answers().empty());
+    CHECK(to_seconds(recorded.desktop.now()) == doctest::Approx(1.0));
+}
