@@ -80,7 +80,9 @@ void Daemon::draw(Ticks now) {
     const bool every_frame = swinging || (engine_.moving() && !clock_.paused());
     const Ticks due = std::min(wake, presence_.due());
     next_frame_ = every_frame ? pacer_.next() : std::max(due, pacer_.next());
-    choose_conduct(every_frame, !clock_.paused() && next.next_change != never);
+    // To lie down some time later is no animation.
+    const bool animated = !clock_.paused() && next.next_change - world < 2 * ticks_per_second;
+    choose_conduct(every_frame, animated);
 }
 
 void Daemon::welcome() {
