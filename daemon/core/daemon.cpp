@@ -97,7 +97,9 @@ void Daemon::draw(Ticks now) {
     const bool every_frame = swinging || (engine_.moving() && !clock_.paused());
     const Ticks due = std::min({wake, presence_.due(), scripts_.watch_due(), show_at_});
     next_frame_ = every_frame ? pacer_.next() : std::max(due, pacer_.next());
-    choose_conduct(every_frame, !clock_.paused() && next.next_change != never);
+    // To lie down some time later is no animation.
+    const bool animated = !clock_.paused() && next.next_change - world < 2 * ticks_per_second;
+    choose_conduct(every_frame, animated);
     ++frames_;
     if (control_.is_open()) {
         drawing_ += desktop_.now() - now;

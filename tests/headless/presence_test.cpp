@@ -212,6 +212,7 @@ TEST_CASE("with reduced motion pets sit still, scripts do not stir them, throws 
     recorded.look(5.0, [&](const Daemon& daemon) {
         CHECK(pet_number(daemon, 0).motion == Motion::settled);
         CHECK(recorded.desktop.statuses().back().note.contains("reduced motion"));
+        CHECK(recorded.desktop.conduct().front == Watch::events);
         presents = recorded.desktop.presents();
     });
     recorded.look(15.0, [&](const Daemon&) { CHECK(recorded.desktop.presents() == presents); });

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// Other programs, as hyrax meets them, and what they can see of its windows.
+//   policy_probe front x y width height    Shows a window there and takes the foreground.
+//   policy_probe panes                     Prints a line for each pane.
+//   policy_probe watch seconds             Looks at panes all the time; prints how often one was
+//                                          visible, and visible without NonRudeHWND.
+//   policy_probe send class message wparam lparam   Sends it to each window of the class.
+//   policy_probe post class message count  Posts it that many times.
+#include <windows.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace {
+
+std::string class_of(HWND window) {
+    char name[128] = "";
+    ::GetClassNameA(window, name, sizeof name);
+    return name;
+}
+
+struct Search {
+    std::string class_name;
+    std::vector<HWND> found;
+};
+
+BOOL CALLBACK collect(HWND window, LPARAM search) {
+    auto& wanted = *reinterpret_cast<Search*>(search);
+    if (class_of(window) == wanted.class_name) {
+        wanted.found.push_back(window);
+    }
+    return TRUE;
+}
+
+std::vector<HWND> windows_of(const std::string& class_name) {
+    Search search{class_name, {}};
+    ::EnumWindows(collect, reinterpret_cast<LPARAM>(&search));
+    return search.found;
+}
+
+int show_panes() {
+    for (const HWND pane : windows_of("hyrax.pane")) {
+        RECT r{};
+        ::GetWindowRect(pane, &r);
+        const LONG_PTR style = ::GetWindowLongPtrW(pane, GWL_EXSTYLE);
+        std::printf(
+            "pane %ld %ld %ld %ld visible %d rude %d topmost %d toolwindow %d noactivate %d front "
+            "%d\n",
+            r.left,
+            r.top,
+            r.right - r.left,
+            r.bottom - r.top,
+            ::IsWindowVisible(pane) != 0,
+            ::GetPropW(pane, L"NonRudeHWND") == nullptr,
+            (style & WS_EX_TOPMOST) != 0,
+            (style & WS_EX_TOOLWINDOW) != 0,
+            (style & WS_EX_NOACTIVATE) != 0,
+            ::GetForegroundWindow() == pane
+        );
+    }
+    std::puts("end");
+    return 0;
+}
+
+int watch(double seconds) {
+    const ULONGLONG end = ::GetTickCount64() + static_cast<ULONGLONG>(seconds * 1000.0);
+    int seen = 0;
+    int rude = 0;
+    std::puts("ready");
+    std::fflush(stdout);
+    while (::GetTickCount64() < end) {
+        for (const HWND pane : windows_of("hyrax.pane")) {
+            const bool has_property = ::GetPropW(pane, L"NonRudeHWND") != nullptr;
+            if (::IsWindowVisible(pane) != 0) {
+                ++seen;
+                rude += has_property ? 0 : 1;
+            }
+        }
+        ::Sleep(1);
+    }
+    std::printf("seen %d rude %d\n", seen, rude);
+    return 0;
+}
+
+LRESULT CALLBACK handle(HWND window, UINT message, WPARAM wparam, LPARAM lparam) {
+    if (message == WM_DESTROY) {
+        ::PostQuitMessage(0);
+        return 0;
+    }
+    return ::DefWindowProcW(window, message, wparam, lparam);
+}
+
+int stay_in_front(int x, int y, int width, int height) {
+    WNDCLASSW type{};
+    type.lpfnWndProc = handle;
+    type.hInstance = ::GetModuleHandleW(nullptr);
+    type.lpszClassName = L"hyrax policy probe";
+    type.hbrBackground = static_cast<HBRUSH>(::GetStockObject(BLACK_BRUSH));
+    ::RegisterClassW(&type);
+    const HWND window = ::CreateWindowExW(
+        0,
+        type.lpszClassName,
+        L"hyrax policy probe",
+        WS_POPUP | WS_VISIBLE,
+        x,
+        y,
+        width,
+        height,
+        nullptr,
+        nullptr,
+        type.hInstance,
+        nullptr
+    );
+    if (window == nullptr) {
+        return 1;
+    }
+    ::SetForegroundWindow(window);
+    std::puts(::GetForegroundWindow() == window ? "ready" : "not in front");
+    std::fflush(stdout);
+    MSG message{};
+    while (::GetMessageW(&message, nullptr, 0, 0) > 0) {
+        ::DispatchMessageW(&message);
+    }
+    return 0;
+}
+
+int send(const std::string& class_name, UINT message, WPARAM wparam, LPARAM lparam) {
+    RECT suggested{0, 0, 2000, 2000};
+    if (message == WM_DPICHANGED) {
+        lparam = reinterpret_cast<LPARAM>(&suggested);
+    }
+    for (const HWND window : windows_of(class_name)) {
+        const LRESULT answer = ::SendMessageW(window, message, wparam, lparam);
+        std::printf("answer %lld\n", static_cast<long long>(answer));
+    }
+    return 0;
+}
+
+int post(const std::string& class_name, UINT message, int count) {
+    int posted = 0;
+    for (const HWND window : windows_of(class_name)) {
+        for (int i = 0; i < count; ++i) {
+            posted += ::PostMessageW(window, message, 0, 0) != 0 ? 1 : 0;
+        }
+    }
+    std::printf("posted %d\n", posted);
+    return 0;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    const std::vector<std::string> given(words + 1, words + count);
+    const std::string what = given.empty() ? "" : given[0];
+    const auto number = [&](std::size_t i) { return std::atoi(given[i].c_str()); };
+    if (what == "front" && given.size() == 5) {
+        return stay_in_front(number(1), number(2), number(3), number(4));
+    }
+    if (what == "panes") {
+        return show_panes();
+    }
+    if (what == "watch" && given.size() == 2) {
+        return watch(std::atof(given[1].c_str()));
+    }
+    if (what == "send" && given.size() == 5) {
+        return send(
+            given[1],
+            static_cast<UINT>(number(2)),
+            static_cast<WPARAM>(number(3)),
+            static_cast<LPARAM>(number(4))
+        );
+    }
+    if (what == "post" && given.size() == 4) {
+        return post(given[1], static_cast<UINT>(number(2)), number(3));
+    }
+    std::fputs("usage: see the head of policy_probe.cpp\n", stderr);
+    return 2;
+}

@@ -1,0 +1,294 @@
+# SPDX-License-Identifier: MIT
+"""hyrax.exe in nobody's way, under Wine: full screens, locked sessions, sleep, screens that go.
+
+Usage: test_policy.py hyrax.exe policy_probe.exe
+
+Wine has no event for a new front window, so these tests keep a pet moving: then the daemon looks by
+itself. What Wine cannot tell comes as a test fact, by the numbers of daemon/win32/messages.h.
+"""
+
+import re
+import sys
+import time
+import unittest
+from pathlib import Path
+
+import desktop
+from daemon import Daemon
+
+EXE = PROBE = None
+
+MONITORS = [(1280, 720, 0, 0), (1024, 768, -1024, -120), (800, 600, 1280, 200)]
+
+WM_SETTINGCHANGE, WM_DISPLAYCHANGE, WM_DPICHANGED = 0x1A, 0x7E, 0x2E0
+WM_POWERBROADCAST, PBT_APMSUSPEND, PBT_APMRESUMEAUTOMATIC = 0x218, 4, 18
+WM_WTSSESSION_CHANGE, WTS_SESSION_LOCK, WTS_SESSION_UNLOCK = 0x2B1, 7, 8
+TEST_FACT = 0x8000 + 22
+ON_BATTERY, DISPLAY_OFF, ANIMATIONS, SCREENS = 1, 4, 5, 6
+
+# Nothing slows these down: they go from wall to wall for ever.
+FLOATING = {"gravity": 0, "air_drag": 1, "restitution": 1}
+
+
+def floating(*pets, **overlay):
+    return {"physics": FLOATING, "pets": {"start": list(pets)}, "overlay": overlay}
+
+
+class OnThreeMonitors(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.desk = cls.enterClassContext(desktop.VirtualDesktop(MONITORS, compositor=False))
+
+    def daemon(self, config, **options):
+        daemon = Daemon(self.desk, EXE, config, **options)
+        self.addCleanup(daemon.end)
+        return daemon
+
+    def probe(self, *arguments):
+        program = self.desk.start(PROBE, *arguments)
+        self.addCleanup(program.end)
+        return program
+
+    def ask(self, *arguments):
+        program = self.probe(*arguments)
+        program.wait(60)
+        return program.text()
+
+    def send(self, message, wparam=0, lparam=0, to="hyrax.daemon"):
+        self.assertIn("answer", self.ask("send", to, message, wparam, lparam))
+
+    def fact(self, fact, value):
+        self.send(TEST_FACT, fact, value)
+
+    def panes(self):
+        """Rectangles of the visible panes."""
+        return [(w.x, w.y, w.width, w.height) for w in self.desk.windows("hyrax pane")]
+
+    def panes_on(self, monitor):
+        width, height, left, top = monitor
+        return [
+            (x, y, w, h)
+            for x, y, w, h in self.panes()
+            if x < left + width and x + w > left and y < top + height and y + h > top
+        ]
+
+    def moves(self, daemon, index, seconds=0.5):
+        """How far pet number `index` comes in that time [px]."""
+
+        def place():
+            return next((row["x"], row["y"]) for row in daemon.pets() if int(row["pet"]) == index)
+
+        before = place()
+        time.sleep(seconds)
+        after = place()
+        return abs(after[0] - before[0]) + abs(after[1] - before[1])
+
+    def pet_on_each(self, **overlay):
+        """On the main, the left and the right monitor, going up and down."""
+        pets = [{"x": x, "y": y, "vy": 100} for x, y in ((500, 200), (-500, 200), (1600, 400))]
+        daemon = self.daemon(floating(*pets, **overlay))
+        daemon.wait_for_pets(lambda pets: len(pets) == 3)
+        for monitor in MONITORS:
+            desktop.wait_for(lambda: self.panes_on(monitor), 10, f"a pane on {monitor}")
+        return daemon
+
+    def full_screen_on(self, monitor):
+        width, height, left, top = monitor
+        program = self.probe("front", left, top, width, height)
+        program.wait_for_text("^ready$", 30)
+        return program
+
+    def test_no_pane_where_a_program_fills_the_screen(self):
+        daemon = self.pet_on_each()
+        player = self.full_screen_on(MONITORS[1])
+        begin = time.monotonic()
+        desktop.wait_for(lambda: not self.panes_on(MONITORS[1]), 5, "the pane to go")
+        left_after = time.monotonic() - begin
+        self.assertLess(left_after, 0.8)  # 0.5 s, and what looking costs
+        self.assertTrue(self.panes_on(MONITORS[0]))
+        self.assertTrue(self.panes_on(MONITORS[2]))
+        self.assertEqual(self.moves(daemon, 1), 0)
+        self.assertGreater(self.moves(daemon, 0), 20)
+
+        player.end()
+        begin = time.monotonic()
+        desktop.wait_for(lambda: self.panes_on(MONITORS[1]), 10, "the pane to come back")
+        self.assertLess(time.monotonic() - begin, 2.0)  # 1.5 s, and what looking costs
+        self.assertGreater(self.moves(daemon, 1), 20)
+        print(f"left after {left_after:.2f} s, back after {time.monotonic() - begin - 0.5:.2f} s", file=sys.stderr)
+
+    def test_a_large_window_is_no_full_screen(self):
+        daemon = self.pet_on_each()
+        width, height, left, top = MONITORS[1]
+        self.probe("front", left, top, width, height - 1).wait_for_text("^ready$", 30)
+        time.sleep(1.5)
+        self.assertTrue(self.panes_on(MONITORS[1]))
+        self.assertGreater(self.moves(daemon, 1), 20)
+
+    def test_pause_freezes_pets_and_shows_them(self):
+        daemon = self.pet_on_each(fullscreen="pause")
+        self.full_screen_on(MONITORS[1])
+        desktop.wait_for(lambda: self.moves(daemon, 1) == 0, 10, "the pet to stand still")
+        self.assertTrue(self.panes_on(MONITORS[1]))
+        self.assertGreater(self.moves(daemon, 0), 20)
+
+    def test_a_rule_removes_every_window_and_another_keeps_them(self):
+        rules = [{"exe": "POLICY_PROBE.exe", "do": "hide_everywhere"}]
+        daemon = self.pet_on_each(fullscreen_rules=rules)
+        program = self.probe("front", 100, 100, 300, 200)
+        program.wait_for_text("^ready$", 30)
+        desktop.wait_for(lambda: not self.desk.windows("hyrax pane", viewable=False), 5, "all panes to go")
+        time.sleep(0.3)
+        self.assertEqual(self.moves(daemon, 0), 0)
+        program.end()
+        desktop.wait_for(lambda: len(self.panes()) == 3, 10, "the panes to come back")
+
+        daemon.write_config(
+            floating(*[{"x": 0, "y": 0}], fullscreen_rules=[{"exe": "policy_probe.exe", "do": "stay"}])
+        )
+        time.sleep(1.0)
+        self.full_screen_on(MONITORS[1])
+        time.sleep(1.5)
+        self.assertTrue(self.panes_on(MONITORS[1]))
+        self.assertGreater(self.moves(daemon, 1), 20)
+
+    def test_panes_are_not_rude_from_the_first_moment_and_take_no_focus(self):
+        watcher = self.probe("watch", 15)
+        watcher.wait_for_text("^ready$", 30)
+        front = self.probe("front", 100, 500, 300, 200)
+        front.wait_for_text("^ready$", 30)
+        daemon = self.daemon({"pets": {"start": [{"x": 500, "y": 600}], "drowsy_after": 60}})
+        (pet,) = daemon.wait_for_rest()
+        self.desk.click(pet["x"] + 50, pet["y"] + 70)
+        daemon.wait_for_pets(lambda pets: any(row["motion"] == "held" for row in daemon.rows()), 10, "the grab")
+        lines = [line for line in self.ask("panes").splitlines() if line.startswith("pane")]
+        self.assertTrue(lines)
+        for line in lines:
+            self.assertRegex(line, r"rude 0 topmost 1 toolwindow 1 noactivate 1 front 0")
+        match = watcher.wait_for_text(r"^seen (\d+) rude (\d+)$", 30)
+        self.assertGreater(int(match[1]), 10)
+        self.assertEqual(int(match[2]), 0)
+
+    def test_a_change_of_scale_moves_no_pane(self):
+        daemon = self.daemon({"pets": {"start": [{"x": 500, "y": 600}], "drowsy_after": 60}})
+        daemon.wait_for_rest()
+        time.sleep(1.5)  # the pane has shrunk
+        before = self.panes()
+        self.assertEqual(len(before), 1)
+        self.assertIn("answer 0", self.ask("send", "hyrax.pane", WM_DPICHANGED, 144 | 144 << 16, 0))
+        self.assertEqual(self.panes(), before)
+
+    def test_after_a_change_of_modes_everything_is_presented_anew(self):
+        daemon = self.daemon({"pets": {"start": [{"x": 500, "y": 600}], "drowsy_after": 60}})
+        (pet,) = daemon.wait_for_rest()
+        around = (int(pet["x"]) - 20, int(pet["y"]) - 20, 150, 120)
+        before = self.desk.screenshot().crop(*around)
+        # A storm of them: one rebuild, of the same pixels.
+        self.assertIn("posted 50", self.ask("post", "hyrax.daemon", WM_DISPLAYCHANGE, 50))
+        time.sleep(1.5)
+        self.assertIsNone(self.desk.screenshot().crop(*around).changed_box(before))
+        self.assertEqual(daemon.log_text().count("no monitor"), 0)
+
+    def test_pets_of_a_screen_that_goes_are_on_another_one_within_a_second(self):
+        daemon = self.pet_on_each()
+        self.fact(SCREENS, 0)  # none at all: not believed
+        time.sleep(1.0)
+        self.assertTrue(self.panes_on(MONITORS[2]))
+        self.fact(SCREENS, 1)
+
+        def all_on_the_first():
+            return all(-1 <= row["x"] <= 1280 and -1 <= row["y"] <= 720 for row in daemon.pets())
+
+        # Told 0.3 s after the change, and believed 0.15 s later.
+        desktop.wait_for(all_on_the_first, 2.0, "all pets on the first screen")
+        desktop.wait_for(lambda: not self.panes_on(MONITORS[2]), 2.0, "the pane to go")
+        self.assertEqual(len(daemon.pets()), 3)
+        self.assertGreater(self.moves(daemon, 0), 20)
+
+    def stands_still(self, daemon):
+        """No frame, and nothing but the odd message wakes it."""
+        time.sleep(2.5)  # a pane may shrink once more
+        frames = len(daemon.rows())
+        before = {thread.id: thread.wakeups for thread in daemon.program.threads()}
+        time.sleep(5)
+        woken = sum(t.wakeups - before.get(t.id, 0) for t in daemon.program.threads())
+        self.assertEqual(len(daemon.rows()), frames)
+        self.assertLessEqual(woken, 2)
+
+    def goes_on_from(self, daemon, last):
+        desktop.wait_for(lambda: daemon.pets()[0]["time"] > last["time"], 10, "a frame")
+        time.sleep(0.3)
+        first = next(row for row in daemon.rows() if row["time"] > last["time"])
+        self.assertAlmostEqual(first["x"], last["x"], delta=20)
+
+    def test_locked_asleep_or_dark_nothing_is_drawn_and_later_all_goes_on(self):
+        daemon = self.daemon(floating({"x": 100, "y": 300, "vx": 80}))
+        daemon.wait_for_pets(lambda pets: pets and pets[0]["x"] > 110)
+        off_and_on = [
+            ((WM_WTSSESSION_CHANGE, WTS_SESSION_LOCK), (WM_WTSSESSION_CHANGE, WTS_SESSION_UNLOCK)),
+            ((TEST_FACT, DISPLAY_OFF, 1), (TEST_FACT, DISPLAY_OFF, 0)),
+            # The last one: after sleep the screens are read a few times more.
+            ((WM_POWERBROADCAST, PBT_APMSUSPEND), (WM_POWERBROADCAST, PBT_APMRESUMEAUTOMATIC)),
+        ]
+        for off, on in off_and_on:
+            with self.subTest(off=off):
+                self.send(*off)
+                try:
+                    self.stands_still(daemon)
+                    last = daemon.pets()[0]
+                finally:
+                    self.send(*on)
+                self.goes_on_from(daemon, last)
+
+    def test_on_battery_there_are_fewer_frames(self):
+        daemon = self.daemon(floating({"x": 100, "y": 300, "vx": 80}, fps_on_battery=10))
+        daemon.wait_for_pets(lambda pets: pets and pets[0]["x"] > 110)
+
+        def frames(seconds=3.0):
+            before = len(daemon.rows())
+            time.sleep(seconds)
+            return (len(daemon.rows()) - before) / seconds
+
+        self.assertGreater(frames(), 25)
+        self.fact(ON_BATTERY, 1)
+        time.sleep(0.3)
+        self.assertAlmostEqual(frames(), 10, delta=2)
+
+    def test_moving_pets_cost_little(self):
+        pets = [{"x": 100 + 150 * i, "y": 300, "vx": 50} for i in range(5)]
+        daemon = self.daemon(floating(*pets))
+        daemon.wait_for_pets(lambda pets: len(pets) == 5)
+        time.sleep(1.0)
+        before = sum(thread.cpu for thread in daemon.program.threads())
+        time.sleep(5.0)
+        used = (sum(thread.cpu for thread in daemon.program.threads()) - before) / 5.0
+        print(f"five moving pets: {100 * used:.1f} % of a core", file=sys.stderr)
+        # No busy loop; how much of it is Wine's copying depends on the machine.
+        self.assertLess(used, 0.5)
+
+    def test_a_flood_of_messages_is_no_obstacle(self):
+        daemon = self.daemon(floating({"x": 100, "y": 300, "vx": 80}))
+        daemon.wait_for_pets(lambda pets: pets and pets[0]["x"] > 110)
+        before = len(daemon.rows())
+        self.assertIn("posted 1000", self.ask("post", "hyrax.daemon", 0x8000 + 99, 1000))
+        time.sleep(1.0)
+        self.assertGreater(len(daemon.rows()), before + 20)
+        self.assertEqual(daemon.second_start("--quit"), 0)
+        self.assertEqual(daemon.program.wait(10), 0)
+
+    def test_a_refused_exclusion_from_captures_is_told(self):
+        daemon = self.daemon(floating({"x": 100, "y": 300, "vx": 80}, hide_from_capture=True))
+        daemon.wait_for_log("captures of the screen show the pets")
+        self.assertEqual(len(re.findall("captures of the screen", daemon.log_text())), 1)
+
+    def test_reduced_motion_stills_animations(self):
+        daemon = self.daemon({"pets": {"start": [{"x": 500, "y": 600}], "drowsy_after": 600}})
+        daemon.wait_for_rest()
+        self.fact(ANIMATIONS, 0)
+        self.stands_still(daemon)
+
+
+if __name__ == "__main__":
+    EXE, PROBE = (Path(argument).resolve() for argument in sys.argv[1:3])
+    del sys.argv[1:3]
+    unittest.main(verbosity=2)
