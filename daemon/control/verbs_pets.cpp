@@ -168,7 +168,7 @@ const char* state_of(const Pet& pet) {
     std::unreachable();
 }
 
-// Hundredths are enough for people, and exact positions are nobody's business across a process.
+// Hundredths of a pixel are enough for people and for scripts.
 double rounded(double value) {
     return std::round(value * 100.0) / 100.0;
 }

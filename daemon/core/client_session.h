@@ -45,7 +45,7 @@ public:
     bool is_over() const { return step_ == Step::over; }
     /// More answers were meant to come.
     bool is_watching() const { return watching_; }
-    /// When late() may become true; `never` while nothing is expected of the client.
+    /// When check_time() may end the session; `never` while nothing is expected of the client.
     Ticks due() const { return is_over() ? never : deadline_; }
     /// Ends the session when its time is over.
     void check_time(Ticks now);
