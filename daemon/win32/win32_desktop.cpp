@@ -64,6 +64,14 @@ std::vector<Monitor> Win32Desktop::monitors() {
     return screens_.current();
 }
 
+std::vector<DesktopWindow> Win32Desktop::windows() {
+    return windows_.read();
+}
+
+void Win32Desktop::watch_windows(const WindowInterest& interest) {
+    windows_.watch(interest, clock_now());
+}
+
 void Win32Desktop::present(const Frame& frame) {
     overlay_.present(frame, screens_.current(), clock_now());
 }
@@ -107,7 +115,7 @@ void Win32Desktop::drain_messages() {
 }
 
 Ticks Win32Desktop::chores_due() const {
-    return std::min({files_.due(), screens_.due(), overlay_.due(), tray_->due()});
+    return std::min({files_.due(), screens_.due(), windows_.due(), overlay_.due(), tray_->due()});
 }
 
 void Win32Desktop::do_chores() {
@@ -118,6 +126,9 @@ void Win32Desktop::do_chores() {
     if (time >= screens_.due() && screens_.settle(options_.monitors(), time)) {
         overlay_.forget_pixels();
         inbox_.emplace_back(input::MonitorsChanged{});
+    }
+    if (windows_.check(time)) {
+        inbox_.emplace_back(input::WindowsChanged{});
     }
     tray_->retry(time);
     if (time >= overlay_.due()) {

@@ -14,6 +14,7 @@
 #include "daemon/win32/screens.h"
 #include "daemon/win32/tray_icon.h"
 #include "daemon/win32/tray_menu.h"
+#include "daemon/win32/window_watch.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -57,6 +58,8 @@ public:
     std::vector<Input> wait(Ticks deadline) override;
     void present(const Frame& frame) override;
     std::vector<Monitor> monitors() override;
+    std::vector<DesktopWindow> windows() override;
+    void watch_windows(const WindowInterest& interest) override;
     void show_status(const Status& status) override;
 
 private:
@@ -97,6 +100,7 @@ private:
     Alarm alarm_;
     FolderWatch files_;
     MonitorWatch screens_;
+    WindowWatch windows_;
     Window daemon_;
     Overlay overlay_;
     Pointer pointer_;
