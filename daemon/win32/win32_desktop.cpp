@@ -67,6 +67,14 @@ std::vector<Monitor> Win32Desktop::monitors() {
     return screens_.current();
 }
 
+std::vector<DesktopWindow> Win32Desktop::windows() {
+    return windows_.read();
+}
+
+void Win32Desktop::watch_windows(const WindowInterest& interest) {
+    windows_.watch(interest, clock_now());
+}
+
 void Win32Desktop::present(const Frame& frame) {
     overlay_.present(frame, screens_.current(), clock_now());
     if (counters_.first_frame == never && !frame.sprites.empty()) {
@@ -127,7 +135,13 @@ void Win32Desktop::drain_messages() {
 Ticks Win32Desktop::chores_due() const {
     const Ticks control = options_.control ? options_.control->due() : never;
     return std::min(
-        {files_.due(), screens_.due(), overlay_.due(), tray_->due(), presence_due(), control}
+        {files_.due(),
+         screens_.due(),
+         windows_.due(),
+         overlay_.due(),
+         tray_->due(),
+         presence_due(),
+         control}
     );
 }
 
@@ -139,6 +153,9 @@ void Win32Desktop::do_chores() {
     if (time >= screens_.due() && screens_.settle(read_screens(), time)) {
         overlay_.forget_pixels();
         inbox_.emplace_back(input::MonitorsChanged{});
+    }
+    if (windows_.check(time)) {
+        inbox_.emplace_back(input::WindowsChanged{});
     }
     if (options_.control) {
         options_.control->serve(time, inbox_);

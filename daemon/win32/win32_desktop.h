@@ -20,6 +20,7 @@
 #include "daemon/win32/screens.h"
 #include "daemon/win32/tray_icon.h"
 #include "daemon/win32/tray_menu.h"
+#include "daemon/win32/window_watch.h"
 
 #include <filesystem>
 #include <functional>
@@ -64,6 +65,8 @@ public:
     void present(const Frame& frame) override;
     void use_renderer(Renderer renderer) override { overlay_.use_renderer(renderer); }
     std::vector<Monitor> monitors() override;
+    std::vector<DesktopWindow> windows() override;
+    void watch_windows(const WindowInterest& interest) override;
     void show_status(const Status& status) override;
     void follow(const Conduct& conduct) override;
     void answer(ClientId client, std::string_view text, Answer which) override;
@@ -123,6 +126,7 @@ private:
     Alarm alarm_;
     FolderWatch files_;
     MonitorWatch screens_;
+    WindowWatch windows_;
     Window daemon_;
     Overlay overlay_;
     Pointer pointer_;
