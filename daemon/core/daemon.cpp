@@ -16,8 +16,11 @@ Daemon::Daemon(Desktop& desktop, DaemonOptions options)
       sets_{placeholder_sprite_set("hyrax")},
       engine_(kinds_of(sets_), config_.engine, options.seed),
       scripts_(std::move(options.scripts)),
+      speeches_(std::move(options.paint_text)),
+      stores_(profile_.state.empty() ? profile_.state : profile_.state / "store"),
       trace_(std::move(options.trace)),
-      first_requests_(std::move(options.requests)) {
+      first_requests_(std::move(options.requests)),
+      welcomed_(!options.welcome) {
     read_config();
     read_kinds();
     use_monitors();
@@ -31,6 +34,9 @@ void Daemon::run() {
             handle(input);
         }
     }
+    scripts_.end(engine_, monitors_, clock_.at(desktop_.now()));
+    grant_wishes(desktop_.now());
+    stores_.write_all();
 }
 
 void Daemon::run_due() {
@@ -52,8 +58,13 @@ void Daemon::draw(Ticks now) {
         engine_.advance(world);
         scripts_.run(engine_, monitors_, world);
         changed_ = engine_.has_events();
+        grant_wishes(now);
     }
+    stores_.write_due(now);
     Staged next = staged(engine_, sets_, world, from_seconds(config_.drowsy_after));
+    if (speeches_.concern(next.speakers)) {
+        speeches_.show(next.frame, engine_, next.speakers);
+    }
     if (next.frame != frame_) {
         frame_ = std::move(next.frame);
         desktop_.present(frame_);
@@ -63,9 +74,22 @@ void Daemon::draw(Ticks now) {
     }
     report();
     pacer_.drawn(now);
-    const Ticks wake = clock_.machine_time(std::min(next.next_change, scripts_.next_wake()));
+    const Ticks wake = std::min(
+        clock_.machine_time(std::min(next.next_change, scripts_.next_wake())), stores_.next_write()
+    );
     const bool every_frame = swinging || (engine_.moving() && !clock_.paused());
     next_frame_ = every_frame ? pacer_.next() : std::max(wake, pacer_.next());
+}
+
+// What scripts ask of somebody else than the engine.
+void Daemon::grant_wishes(Ticks now) {
+    for (ScriptCommand& wish : scripts_.take_wishes()) {
+        if (auto* const store = std::get_if<command::Store>(&wish)) {
+            stores_.set(store->script, store->key, std::move(store->value), now);
+        } else if (const auto* const notice = std::get_if<command::Notify>(&wish)) {
+            spdlog::info("notice of {}: {}", notice->script, notice->text);
+        }
+    }
 }
 
 void Daemon::welcome() {
@@ -89,7 +113,10 @@ void Daemon::welcome() {
 
 void Daemon::report() {
     std::string problem = config_problem_;
-    for (const std::vector<std::string>* list : {&kind_problems_, &script_problems_}) {
+    const std::vector<std::string>* const lists[] = {
+        &kind_problems_, &script_problems_, &scripts_.problems()
+    };
+    for (const std::vector<std::string>* list : lists) {
         if (problem.empty() && !list->empty()) {
             problem = list->front();
         }

@@ -9,6 +9,8 @@
 #include "daemon/core/pacer.h"
 #include "daemon/core/profile.h"
 #include "daemon/core/script_bridge.h"
+#include "daemon/core/script_stores.h"
+#include "daemon/core/speech.h"
 #include "daemon/core/stage.h"
 #include "daemon/core/trace.h"
 #include "daemon/core/world_clock.h"
@@ -30,6 +32,8 @@ struct DaemonOptions {
     std::vector<Request> requests;  ///< Carried out after the start-up pets have come.
     std::optional<double> fps;      ///< Instead of the config's.
     std::uint32_t seed = 1;         ///< For pets without a given place.
+    TextPainter paint_text{};       ///< None: nobody speaks.
+    bool welcome = true;            ///< The config's pets come at the start.
 };
 
 class Daemon {
@@ -74,6 +78,7 @@ private:
     void read_scripts();
     void use_monitors();
 
+    void grant_wishes(Ticks now);
     void draw(Ticks now);
     void welcome();
     void report();
@@ -87,6 +92,8 @@ private:
     std::vector<SpriteSet> sets_;
     Engine engine_;
     ScriptBridge scripts_;
+    Speeches speeches_;
+    ScriptStores stores_;
     std::optional<Trace> trace_;
     std::vector<Request> first_requests_;
 

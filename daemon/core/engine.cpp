@@ -109,6 +109,12 @@ Result<void> Engine::change(PetId id, std::string_view verb, Vec2 numbers, Act a
     return {};
 }
 
+Result<Pet*> Engine::pet_for(PetId id, std::string_view verb, Vec2 numbers) {
+    Pet* pet = nullptr;
+    const Result<void> checked = change(id, verb, numbers, [&pet](Pet& found) { pet = &found; });
+    return checked ? Result<Pet*>(pet) : std::unexpected(checked.error());
+}
+
 Result<void> Engine::remove(PetId id) {
     return change(id, "remove", {}, [this, id](const Pet& pet) {
         emit({.kind = EventKind::remove, .pet = id, .tag = pet.tag});
@@ -132,6 +138,7 @@ Result<void> Engine::push(PetId id, Vec2 impulse) {
 Result<void> Engine::stop(PetId id) {
     return change(id, "stop", {}, [this, id](Pet& pet) {
         if (pet.awake && pet.motion != Motion::held) {
+            pet.walk.reset();
             set_in_motion(id, pet, {});
         }
     });
@@ -164,6 +171,8 @@ Result<void> Engine::grab(PetId id, Ticks time) {
         std::erase_if(held_, [id](const Held& held) { return held.pet == id; });
         held_.push_back({id, spring});
         pet.motion = Motion::held;
+        pet.walk.reset();
+        pet.playing.reset();
         pet.since = now_;
         pet.awake = false;
         std::erase(awake_, id);
@@ -302,6 +311,9 @@ void Engine::set_in_motion(PetId id, Pet& pet, Vec2 velocity) {
     pet.shown.velocity = velocity;
     pet.body.launch(pet.position(), velocity, rules_, around(pet), walls);
     pet.started = false;
+    if (pet.walk) {
+        pet.walk->begun = false;
+    }
     if (!pet.awake) {
         pet.awake = true;
         awake_.push_back(id);
@@ -312,6 +324,8 @@ void Engine::launch(PetId id, Pet& pet, Vec2 velocity) {
     if (pet.motion == Motion::held) {
         return;
     }
+    pet.walk.reset();
+    pet.playing.reset();
     set_in_motion(id, pet, capped(velocity));
     pet.motion = Motion::airborne;
     pet.since = now_;

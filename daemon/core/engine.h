@@ -3,6 +3,7 @@
 #pragma once
 
 #include "daemon/core/arena.h"
+#include "daemon/core/collisions.h"
 #include "daemon/core/event.h"
 #include "daemon/core/pet.h"
 #include "daemon/core/result.h"
@@ -26,11 +27,16 @@ struct Kind {
     Size box;                  ///< What meets walls and floor at scale 1 [px], positive.
     double scale = 1.0;        ///< least_scale to most_scale.
     bool whole_scale = false;  ///< Pixel art: all scales together are rounded to 1, 2, 3 ...
+    std::vector<std::string> animations{};  ///< Names of what it can play.
 };
 
 /// Of a pet, of a kind, of the settings.
 inline constexpr double least_scale = 0.25;
 inline constexpr double most_scale = 4.0;
+/// Of an animation that is played at a rate of its own [frames/s].
+inline constexpr double least_fps = 0.1;
+inline constexpr double most_fps = 120.0;
+inline constexpr double longest_speech = 3600.0;  ///< [s]
 /// All scales together are held within these.
 inline constexpr double least_drawn_scale = 0.125;
 inline constexpr double most_drawn_scale = 8.0;
@@ -99,6 +105,17 @@ public:
     /// where they are, or as near as the arena allows; a held pet's in any case.
     [[nodiscard]] Result<void> set_scale(PetId id, double scale);
 
+    /// Walks along the floor, once it is on one, until the left edge of its box is at `x` [px], or
+    /// until a wall, the edge of the floor, a hand or another verb ends it. `speed` > 0 [px/s].
+    [[nodiscard]] Result<void> walk_to(PetId id, double x, double speed);
+    /// Shows an animation of its kind: once, or, in a loop, until the pet is grabbed or set in
+    /// motion, or plays another.
+    [[nodiscard]] Result<void> play(PetId id, Playing playing);
+    /// Shows the text above it for so long [s]; an empty text ends that.
+    [[nodiscard]] Result<void> say(PetId id, std::string text, double seconds);
+    /// While it moves, a pet faces where it goes.
+    [[nodiscard]] Result<void> face(PetId id, bool left);
+
     /// Picks a pet up: a spring pulls it to where carry() says, until let_go(). Times are the
     /// hand's own: they go on while the pets' time is paused.
     [[nodiscard]] Result<void> grab(PetId id, Ticks time);
@@ -149,7 +166,7 @@ public:
 
     EngineReport report() const;
 
-    void listen(EventMask mask) { listening_ = mask; }
+    void listen(EventMask mask);
     bool has_events() const { return !events_.empty(); }
     /// The events since the last call, oldest first.
     std::vector<Event> take_events();
@@ -185,6 +202,12 @@ private:
     void move_into_arena(PetId id, Pet& pet, bool disturbed);
     void advance(PetId id, Pet& pet, Ticks now);
     void meet(PetId id, Pet& pet, const TrajectoryEvent& event);
+    Result<Pet*> pet_for(PetId id, std::string_view verb, Vec2 numbers);
+    // engine_walk.cpp
+    bool walks(PetId id, Pet& pet, Ticks now);
+    void begin_walk(PetId id, Pet& pet, Ticks time, Vec2 from);
+    void end_walk(Pet& pet);
+    void find_collisions();
     Vec2 capped(Vec2 velocity) const;
     Vec2 random_entrance();
     double random_unit();
@@ -201,6 +224,7 @@ private:
     std::vector<Held> held_;
     std::vector<Event> events_;
     EventMask listening_;
+    Collisions collisions_;
     std::uint64_t contacts_ = 0;
     std::minstd_rand random_;
     Ticks now_ = 0;

@@ -51,24 +51,30 @@ void Engine::advance(Ticks now) {
         advance(id, pet, now);
         return !pet.awake;
     });
+    if (listening_.has(EventKind::collide)) {
+        find_collisions();
+    }
 }
 
 void Engine::advance(PetId id, Pet& pet, Ticks now) {
     if (!std::exchange(pet.started, true)) {
         pet.body.start(now);
     }
-    pet.body.advance(now, rules_, around(pet), [&](const TrajectoryEvent& event) {
-        meet(id, pet, event);
-    });
-    pet.shown = pet.body.at(now, rules_, around(pet));
+    const bool walking = pet.walk && walks(id, pet, now);
+    if (!walking) {
+        pet.body.advance(now, rules_, around(pet), [&](const TrajectoryEvent& event) {
+            meet(id, pet, event);
+        });
+        pet.shown = pet.body.at(now, rules_, around(pet));
+    }
     if (std::fabs(pet.shown.velocity.x) > turning_speed) {
         pet.faces_left = pet.shown.velocity.x < 0.0;
     }
-    const Motion motion = motion_of(pet.shown.mode);
+    const Motion motion = walking ? Motion::walking : motion_of(pet.shown.mode);
     if (motion != pet.motion) {
         pet.motion = motion;
         pet.since = now;
-        pet.landed = pet.landed && motion == Motion::settled;
+        pet.landed = pet.landed && motion != Motion::airborne;
     }
     if (screens_differ_) {
         follow_screen(id, pet, now);

@@ -18,6 +18,7 @@ struct Profile {
     std::filesystem::path user;     ///< Holds sprites/ and scripts/.
     std::filesystem::path shipped;  ///< Holds config/config.json, config/sprites/ and scripts/.
     std::vector<std::filesystem::path> more_scripts;  ///< Files that run whatever the config says.
+    std::filesystem::path state{};                    ///< Holds store/; empty: nothing is kept.
 };
 
 struct LoadedKinds {
@@ -38,7 +39,7 @@ struct LoadedScripts {
 /// Reads the scripts that the patterns name: first in user/scripts, where * and ? match within one
 /// folder level; a plain name that is not there is looked up in shipped/scripts. Files ending
 /// in .d.lua describe the API and never run. `more_scripts` come last, under their file names. Each
-/// script is at most 1 MiB.
+/// script is at most 1 MiB. The user's own scripts have every permission.
 LoadedScripts load_scripts(const Profile& profile, const std::vector<std::string>& patterns);
 
 /// True when `name` fits: * is any run of characters but '/', ? is one of them.

@@ -3,6 +3,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 
@@ -26,6 +27,8 @@ const char* state_name(Motion motion) {
             return "idle";
         case Motion::held:
             return "held";
+        case Motion::walking:
+            return "walk";
     }
     std::unreachable();
 }
@@ -47,6 +50,8 @@ void ScriptBridge::load(std::vector<ScriptSource> sources) {
         return;
     }
     loaded_ = !sources.empty();
+    problems_.clear();
+    troubled_.clear();
     host_->load(std::move(sources));
     next_wake_ = 0;
 }
@@ -55,13 +60,30 @@ void ScriptBridge::run(Engine& engine, const std::vector<Monitor>& monitors, Tic
     if (next_wake_ > now && !engine.has_events()) {
         return;
     }
+    exchange(engine, snapshot(engine, monitors, now));
+}
+
+void ScriptBridge::end(Engine& engine, const std::vector<Monitor>& monitors, Ticks now) {
+    if (loaded_) {
+        ScriptWorld world = snapshot(engine, monitors, now);
+        world.ending = true;
+        exchange(engine, world);
+    }
+}
+
+void ScriptBridge::exchange(Engine& engine, const ScriptWorld& world) {
     std::vector<ScriptEvent> events;
     for (const Event& event : engine.take_events()) {
-        events.push_back({event, event.pet == PetId{} ? PetKey{0} : key_of(event.pet)});
+        events.push_back({
+            event,
+            event.pet == PetId{} ? PetKey{0} : key_of(event.pet),
+            event.other == PetId{} ? PetKey{0} : key_of(event.other),
+        });
     }
-    const ScriptOutput output = host_->run(snapshot(engine, monitors, now), events);
+    const ScriptOutput output = host_->run(world, events);
     for (const ScriptLog& line : output.log) {
         write_log(line);
+        remember_problem(line);
     }
     engine.listen(output.listening);
     for (const ScriptCommand& command : output.commands) {
@@ -69,6 +91,15 @@ void ScriptBridge::run(Engine& engine, const std::vector<Monitor>& monitors, Tic
     }
     forget_removed(engine);
     next_wake_ = output.next_wake;
+}
+
+// The calls that led to an error follow it, moved to the right.
+void ScriptBridge::remember_problem(const ScriptLog& line) {
+    if (line.level == LogLevel::error && !line.text.starts_with(' ') &&
+        std::ranges::find(troubled_, line.script) == troubled_.end()) {
+        troubled_.push_back(line.script);
+        problems_.push_back(line.text);
+    }
 }
 
 PetKey ScriptBridge::key_of(PetId id) const {
@@ -104,6 +135,7 @@ ScriptWorld ScriptBridge::snapshot(
             .box = engine.box_of(pet),
             .state = state_name(pet.motion),
             .faces_left = pet.faces_left,
+            .scale = pet.scale,
             .spawned_at = pet.spawn_position,
         });
     });
@@ -120,6 +152,11 @@ void ScriptBridge::apply(Engine& engine, const ScriptCommand& given) {
             }
             made_.emplace(c.key, *id);
             made_key_of_.emplace(packed(*id), c.key);
+            return {};
+        } else if constexpr (std::is_same_v<Command, command::Store> ||
+                             std::is_same_v<Command, command::Notify> ||
+                             std::is_same_v<Command, command::Hotkey>) {
+            wishes_.emplace_back(c);
             return {};
         } else {
             const PetId pet = id_of(c.pet);
@@ -138,6 +175,16 @@ void ScriptBridge::apply(Engine& engine, const ScriptCommand& given) {
                 return engine.move_to(pet, c.position);
             } else if constexpr (std::is_same_v<Command, command::SetTag>) {
                 return engine.set_tag(pet, c.tag);
+            } else if constexpr (std::is_same_v<Command, command::WalkTo>) {
+                return engine.walk_to(pet, c.x, c.speed);
+            } else if constexpr (std::is_same_v<Command, command::Play>) {
+                return engine.play(pet, {c.animation, c.loop, c.fps});
+            } else if constexpr (std::is_same_v<Command, command::Say>) {
+                return engine.say(pet, c.text, c.seconds);
+            } else if constexpr (std::is_same_v<Command, command::SetScale>) {
+                return engine.set_scale(pet, c.scale);
+            } else if constexpr (std::is_same_v<Command, command::Face>) {
+                return engine.face(pet, c.left);
             } else {
                 static_assert(std::is_same_v<Command, command::Remove>);
                 return engine.remove(pet);

@@ -6,7 +6,9 @@
 #include "daemon/core/script_port.h"
 
 #include <memory>
+#include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace hyrax {
@@ -21,20 +23,32 @@ public:
     /// Hands over the engine's events, runs what is due at `now` and applies the commands. A
     /// command that fails is logged; one for a pet that has gone meanwhile is dropped.
     void run(Engine& engine, const std::vector<Monitor>& monitors, Ticks now);
+    /// The last run: scripts hear that the daemon ends.
+    void end(Engine& engine, const std::vector<Monitor>& monitors, Ticks now);
     /// When run() has something to do, apart from events.
     Ticks next_wake() const { return next_wake_; }
+    /// Commands of scripts that are not for the engine (Store, Notify, Hotkey), since the last
+    /// call.
+    std::vector<ScriptCommand> take_wishes() { return std::exchange(wishes_, {}); }
+    /// The first error of each script since it was loaded, a line each.
+    const std::vector<std::string>& problems() const { return problems_; }
 
 private:
     PetKey key_of(PetId id) const;
     PetId id_of(PetKey key) const;
     ScriptWorld snapshot(const Engine& engine, const std::vector<Monitor>& monitors, Ticks now)
         const;
+    void exchange(Engine& engine, const ScriptWorld& world);
+    void remember_problem(const ScriptLog& line);
     void apply(Engine& engine, const ScriptCommand& command);
     void forget_removed(const Engine& engine);
 
     std::unique_ptr<ScriptHost> host_;
     bool loaded_ = false;
     Ticks next_wake_ = never;
+    std::vector<ScriptCommand> wishes_;
+    std::vector<std::string> problems_;
+    std::vector<std::string> troubled_;  // The scripts that problems_ are of.
     // Pets that scripts spawned, both ways; all others have keys made from their ids.
     std::unordered_map<PetKey, PetId> made_;
     std::unordered_map<PetKey, PetKey> made_key_of_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/core/stage.h"
 
+#include "daemon/core/playing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -48,12 +50,36 @@ Point cell_corner(const SpriteSet& set, const Pet& pet) {
     };
 }
 
+struct ShownSince {
+    Shown shown;
+    Ticks since;  // From when on its times count.
+};
+
+ShownSince shown_now(const SpriteSet& set, const Pet& pet, Ticks now, Ticks drowsy_after) {
+    if (pet.playing) {
+        const auto found = set.animations.find(pet.playing->animation);
+        const Ticks elapsed = std::max<Ticks>(0, now - pet.playing->since);
+        if (found != set.animations.end()) {
+            if (const auto shown = shown_of(*pet.playing, found->second, elapsed)) {
+                return {*shown, pet.playing->since};
+            }
+        }
+    }
+    const Ticks elapsed = std::max<Ticks>(0, now - pet.since);
+    return {pose(set, pet.motion, elapsed, drowsy_after), pet.since};
+}
+
 }  // namespace
 
 std::vector<Kind> kinds_of(const std::vector<SpriteSet>& sets) {
     std::vector<Kind> kinds;
     for (const SpriteSet& set : sets) {
-        kinds.push_back({set.name, {set.box.width, set.box.height}});
+        Kind& kind = kinds.emplace_back();
+        kind.name = set.name;
+        kind.box = {set.box.width, set.box.height};
+        for (const auto& [name, animation] : set.animations) {
+            kind.animations.push_back(name);
+        }
     }
     return kinds;
 }
@@ -64,6 +90,8 @@ Shown pose(const SpriteSet& set, Motion motion, Ticks elapsed, Ticks drowsy_afte
             return shown_at(set.animation("fall"), elapsed);
         case Motion::held:
             return shown_at(set.animation("held"), elapsed);
+        case Motion::walking:
+            return shown_at(set.animation("walk"), elapsed);
         case Motion::settled:
             return settled_pose(set, elapsed, drowsy_after);
     }
@@ -77,8 +105,7 @@ Staged staged(
     result.frame.sprites.reserve(engine.size());
     engine.for_each([&](PetId id, const Pet& pet) {
         const SpriteSet& set = sets[pet.kind];
-        const Shown shown =
-            pose(set, pet.motion, std::max<Ticks>(0, now - pet.since), drowsy_after);
+        const auto [shown, since] = shown_now(set, pet, now, drowsy_after);
         result.frame.sprites.push_back({
             .image = pet.faces_left ? &set.mirrored : &set.sheet,
             .source = set.cell_rect(shown.cell),
@@ -86,7 +113,11 @@ Staged staged(
             .pet = id,
         });
         if (shown.until != never) {
-            result.next_change = std::min(result.next_change, pet.since + shown.until);
+            result.next_change = std::min(result.next_change, since + shown.until);
+        }
+        if (pet.speech && now < pet.speech->until) {
+            result.speakers.push_back(id);
+            result.next_change = std::min(result.next_change, pet.speech->until);
         }
     });
     return result;
