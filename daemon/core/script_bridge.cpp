@@ -50,6 +50,14 @@ void ScriptBridge::load(std::vector<ScriptSource> sources) {
         return;
     }
     loaded_ = !sources.empty();
+    permissions_.clear();
+    for (const ScriptSource& source : sources) {
+        permissions_.insert(
+            permissions_.end(), source.permissions.begin(), source.permissions.end()
+        );
+    }
+    new_settings_.clear();
+    pressed_hotkeys_.clear();
     problems_.clear();
     troubled_.clear();
     host_->load(std::move(sources));
@@ -61,6 +69,29 @@ void ScriptBridge::run(Engine& engine, const std::vector<Monitor>& monitors, Tic
         return;
     }
     exchange(engine, snapshot(engine, monitors, now));
+}
+
+bool ScriptBridge::anybody_may(std::string_view permission) const {
+    return std::ranges::find(permissions_, permission) != permissions_.end();
+}
+
+void ScriptBridge::see(std::optional<Vec2> cursor, std::vector<Rect> windows) {
+    cursor_ = cursor;
+    windows_ = std::move(windows);
+}
+
+void ScriptBridge::tell(ScriptSetting setting) {
+    if (loaded_) {
+        new_settings_.push_back(std::move(setting));
+        next_wake_ = 0;
+    }
+}
+
+void ScriptBridge::tell(PressedHotkey hotkey) {
+    if (loaded_) {
+        pressed_hotkeys_.push_back(std::move(hotkey));
+        next_wake_ = 0;
+    }
 }
 
 void ScriptBridge::end(Engine& engine, const std::vector<Monitor>& monitors, Ticks now) {
@@ -117,8 +148,17 @@ PetId ScriptBridge::id_of(PetKey key) const {
 
 ScriptWorld ScriptBridge::snapshot(
     const Engine& engine, const std::vector<Monitor>& monitors, Ticks now
-) const {
-    ScriptWorld world{.now = now, .pets = {}, .monitors = monitors, .kinds = engine.kinds()};
+) {
+    ScriptWorld world{
+        .now = now,
+        .pets = {},
+        .monitors = monitors,
+        .kinds = engine.kinds(),
+        .cursor = cursor_,
+        .windows = windows_,
+        .new_settings = std::exchange(new_settings_, {}),
+        .pressed_hotkeys = std::exchange(pressed_hotkeys_, {}),
+    };
     for (Kind& kind : world.kinds) {
         kind.box = engine.usual_box(kind);
     }

@@ -6,7 +6,9 @@
 #include "daemon/core/script_port.h"
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -27,6 +29,13 @@ public:
     void end(Engine& engine, const std::vector<Monitor>& monitors, Ticks now);
     /// When run() has something to do, apart from events.
     Ticks next_wake() const { return next_wake_; }
+    /// True if a loaded script has this permission: for nobody else anything has to be found out.
+    bool anybody_may(std::string_view permission) const;
+    /// What scripts with the permissions see from now on.
+    void see(std::optional<Vec2> cursor, std::vector<Rect> windows);
+    /// Told in the next run, which is due at once.
+    void tell(ScriptSetting setting);
+    void tell(PressedHotkey hotkey);
     /// Commands of scripts that are not for the engine (Store, Notify, Hotkey), since the last
     /// call.
     std::vector<ScriptCommand> take_wishes() { return std::exchange(wishes_, {}); }
@@ -36,8 +45,7 @@ public:
 private:
     PetKey key_of(PetId id) const;
     PetId id_of(PetKey key) const;
-    ScriptWorld snapshot(const Engine& engine, const std::vector<Monitor>& monitors, Ticks now)
-        const;
+    ScriptWorld snapshot(const Engine& engine, const std::vector<Monitor>& monitors, Ticks now);
     void exchange(Engine& engine, const ScriptWorld& world);
     void remember_problem(const ScriptLog& line);
     void apply(Engine& engine, const ScriptCommand& command);
@@ -46,6 +54,11 @@ private:
     std::unique_ptr<ScriptHost> host_;
     bool loaded_ = false;
     Ticks next_wake_ = never;
+    std::vector<std::string> permissions_;  // Of all scripts together.
+    std::optional<Vec2> cursor_;
+    std::vector<Rect> windows_;
+    std::vector<ScriptSetting> new_settings_;
+    std::vector<PressedHotkey> pressed_hotkeys_;
     std::vector<ScriptCommand> wishes_;
     std::vector<std::string> problems_;
     std::vector<std::string> troubled_;  // The scripts that problems_ are of.

@@ -20,6 +20,9 @@ namespace {
 // never fills.
 constexpr std::int64_t coroutine_units = Meter::period;
 
+// What errors belong to while no case of hyrax.test runs.
+constexpr char outside_of_cases[] = "outside of cases";
+
 constexpr std::uint64_t splitmix(std::uint64_t& state) {
     state += 0x9E3779B97F4A7C15ULL;
     std::uint64_t z = state;
@@ -176,7 +179,9 @@ void Script::report(lua_State* thread, int status) {
     // Lua catches every C++ exception, and calls those that are not its own -1.
     const std::string message =
         status < 0 ? "internal error of the script host" : message_of(thread, -1);
-    tests.fail(message);
+    if (tests.enabled() && !tests.fail(message)) {
+        run_->output.tests.push_back({name(), outside_of_cases, message, 0.0});
+    }
     if (journal.error(message, call_trace(thread, 0))) {
         paused_ = true;
     }

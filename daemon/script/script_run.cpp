@@ -238,6 +238,9 @@ void Script::end() {
         give_up_tests("the script was stopped");
     }
     if (meter.killed()) {
+        if (tests.enabled()) {
+            run_->output.tests.push_back({name(), "its end", meter.verdict().reason, 0.0});
+        }
         journal.ended(meter.verdict().reason, meter.verdict().trace);
         close();
     } else {

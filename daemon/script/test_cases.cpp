@@ -21,10 +21,11 @@ void TestCases::runs_in(const lua_State* thread) {
     }
 }
 
-void TestCases::fail(std::string_view problem) {
+bool TestCases::fail(std::string_view problem) {
     if (running_ && running_->problem.empty()) {
         running_->problem = problem;
     }
+    return running_.has_value();
 }
 
 std::optional<ScriptTest> TestCases::end(std::string_view script, Ticks now) {
@@ -41,7 +42,7 @@ std::vector<ScriptTest> TestCases::give_up(
     std::string_view script, Ticks now, std::string_view problem
 ) {
     std::vector<ScriptTest> ended;
-    fail(problem);
+    static_cast<void>(fail(problem));
     if (auto running = end(script, now)) {
         ended.push_back(*std::move(running));
     }

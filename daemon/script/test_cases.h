@@ -32,8 +32,8 @@ public:
     bool is_running(const lua_State* thread) const {
         return running_ && running_->thread == thread;
     }
-    /// The first problem is the one that is told.
-    void fail(std::string_view problem);
+    /// False if none runs. The first problem of a case is the one that is told.
+    bool fail(std::string_view problem);
     /// Ends the case that runs, if one does.
     std::optional<ScriptTest> end(std::string_view script, Ticks now);
     /// Ends the case that runs and all that wait, for the same reason.

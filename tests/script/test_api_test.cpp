@@ -17,10 +17,10 @@ FakeWorld tested(const std::string& text, double seconds = 10.0) {
     return world;
 }
 
-// The problem of the only case.
+// The problem of the first case.
 std::string problem(const std::string& body) {
     const FakeWorld world = tested("hyrax.test.case('x', function() " + body + " end)");
-    REQUIRE(world.tests.size() == 1);
+    REQUIRE(world.tests.size() >= 1);
     CHECK(world.last.open_tests == 0);
     return world.tests[0].problem;
 }
@@ -62,6 +62,17 @@ TEST_CASE("what fails a case") {
               .contains("later"));
     CHECK(problem("while true do end").contains("stopped"));
     CHECK(problem("hyrax.test.equal('a', 'a')") == "");
+}
+
+TEST_CASE("errors outside of cases, and the end of the script, are failures of their own") {
+    FakeWorld world = tested("hyrax.test.case('x', function() end) error('main')");
+    REQUIRE(world.tests.size() == 2);
+    CHECK(world.tests[0].name == "outside of cases");
+    CHECK(world.tests[0].problem == "test.lua:1: main");
+    CHECK(world.tests[1].problem == "");
+    world = tested("while true do end");
+    REQUIRE(world.tests.size() == 1);
+    CHECK(world.tests[0].problem.contains("work units"));
 }
 
 TEST_CASE("without testing there is no hyrax.test") {
