@@ -2,9 +2,12 @@
 // hyrax-headless: the whole daemon on a desktop made of lists.
 #include "daemon/control/command_line.h"
 #include "daemon/core/daemon.h"
+#include "daemon/core/files.h"
 #include "daemon/headless/headless_desktop.h"
 #include "daemon/headless/monitor_list.h"
 #include "daemon/headless/png_file.h"
+#include "daemon/headless/testing_host.h"
+#include "daemon/headless/text_painter.h"
 #include "daemon/script/script_host.h"
 
 #include <fmt/format.h>
@@ -15,7 +18,10 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -41,7 +47,8 @@ hyrax::Profile profile_for(const hyrax::HeadlessCommandLine& line) {
         .config = config,
         .user = fs::absolute(config).parent_path(),
         .shipped = shipped,
-        .more_scripts = line.scripts,
+        .more_scripts = line.test ? std::vector{*line.test} : line.scripts,
+        .state = line.state.value_or(fs::path()),
     };
 }
 
@@ -67,18 +74,41 @@ void report(const hyrax::Daemon& daemon, hyrax::HeadlessDesktop& desktop, double
     );
 }
 
+// Tests end the run when their last case has ended.
+std::unique_ptr<hyrax::ScriptHost> scripts_for(
+    const hyrax::HeadlessCommandLine& line,
+    hyrax::HeadlessDesktop& desktop,
+    hyrax::TestReport& tests
+) {
+    auto host = hyrax::make_script_host({});
+    if (!line.test) {
+        return host;
+    }
+    return std::make_unique<hyrax::TestingHost>(
+        std::move(host),
+        hyrax::utf8_from_path(line.test->filename()),
+        tests,
+        [&desktop] { desktop.add({desktop.now(), hyrax::Request{hyrax::request::Quit{}}}); }
+    );
+}
+
 int run(const hyrax::HeadlessCommandLine& line) {
     const auto monitors = hyrax::parse_monitors(line.monitors);
     if (!monitors) {
         return failed(monitors.error());
     }
+    const hyrax::FreetypePainter painter;
+    hyrax::HeadlessDesktop desktop(*monitors, hyrax::from_seconds(line.duration()));
+    hyrax::TestReport tests;
     hyrax::DaemonOptions options{
         .profile = profile_for(line),
         .decode = hyrax::decode_png,
-        .scripts = hyrax::make_script_host({}),
+        .scripts = scripts_for(line, desktop, tests),
         .trace = {},
         .requests = line.common.requests,
         .fps = line.fps,
+        .paint_text = [&painter](std::string_view text) { return painter.draw(text); },
+        .welcome = !line.test,
     };
     if (line.common.trace) {
         auto trace = hyrax::Trace::open(*line.common.trace);
@@ -88,7 +118,6 @@ int run(const hyrax::HeadlessCommandLine& line) {
         options.trace = *std::move(trace);
     }
 
-    hyrax::HeadlessDesktop desktop(*monitors, hyrax::from_seconds(line.seconds));
     hyrax::Daemon daemon(desktop, std::move(options));
     const auto begin = std::chrono::steady_clock::now();
     daemon.run();
@@ -99,6 +128,10 @@ int run(const hyrax::HeadlessCommandLine& line) {
         if (const auto written = hyrax::write_png(*line.snapshot, image); !written) {
             return failed(written.error());
         }
+    }
+    if (line.test) {
+        fmt::print("{}", hyrax::tap(tests));
+        return tests.passed() ? exit_ok : exit_failed;
     }
     report(daemon, desktop, busy.count());
     return exit_ok;

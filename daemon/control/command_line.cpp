@@ -22,6 +22,8 @@ struct Raw {
     std::string config;
     std::vector<std::string> scripts;
     std::string snapshot;
+    std::string test;
+    std::string state;
 };
 
 // CLI::Range lets NaN pass, which is neither below nor above anything.
@@ -125,9 +127,15 @@ std::variant<HeadlessCommandLine, Farewell> parse_headless_arguments(
         "--config", raw.config, "A config.json; sprites/ and scripts/ are looked for beside it"
     );
     app.add_option("--script", raw.scripts, "A Lua script to run, may be repeated");
-    app.add_option("--seconds", line.seconds, "How long to run [virtual seconds]")
-        ->check(between(0.0, 1e6))
-        ->capture_default_str();
+    app.add_option(
+           "--seconds",
+           line.seconds,
+           "How long to run [virtual seconds]: 10, or with --test 3600 at most"
+    )
+        ->check(between(0.0, 1e6));
+    app.add_option("--test", raw.test, "Run the cases that this script makes with hyrax.test")
+        ->excludes("--script");
+    app.add_option("--state", raw.state, "Folder for what scripts keep; without it nothing lasts");
     app.add_option("--fps", line.fps, "Frames a second instead of the config's")
         ->check(between(1.0, 1000.0));
     app.add_option(
@@ -141,6 +149,8 @@ std::variant<HeadlessCommandLine, Farewell> parse_headless_arguments(
     line.common.trace = given(raw.trace);
     line.config = given(raw.config);
     line.snapshot = given(raw.snapshot);
+    line.test = given(raw.test);
+    line.state = given(raw.state);
     for (const std::string& script : raw.scripts) {
         line.scripts.push_back(path_of(script));
     }

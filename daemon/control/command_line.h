@@ -35,10 +35,14 @@ struct HeadlessCommandLine {
     CommonOptions common;
     std::optional<std::filesystem::path> config;
     std::vector<std::filesystem::path> scripts;
-    double seconds = 10.0;  ///< Virtual, 0 to 1e6.
+    /// Virtual, 0 to 1e6; none: 10, or 3600 for tests, which end by themselves.
+    std::optional<double> seconds;
+    double duration() const { return seconds.value_or(test ? 3'600.0 : 10.0); }
     std::optional<double> fps;
     std::string monitors = "1920x1080+0+0";
     std::optional<std::filesystem::path> snapshot;
+    std::optional<std::filesystem::path> test;   ///< A script whose cases run, alone.
+    std::optional<std::filesystem::path> state;  ///< Holds what scripts keep.
 };
 
 /// Arguments without the program's name, UTF-8.

@@ -51,6 +51,7 @@ Image picture(const Frame& frame, const std::vector<Monitor>& monitors) {
     }
     Image image(Size{bounds.width, bounds.height});
     compose(PixelView(image), {bounds.x, bounds.y}, bounds, frame);
+    compose(PixelView(image), {bounds.x, bounds.y}, bounds, Frame{.sprites = frame.bubbles});
     return image;
 }
 

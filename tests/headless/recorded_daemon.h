@@ -58,12 +58,16 @@ public:
                     .user = folder.path(),
                     .shipped = HYRAX_SOURCE_DIR,
                     .more_scripts = {},
+                    .state = folder.path() / "state",
                 },
             .decode = decode_png,
             .scripts = make_script_host({}),
             .trace = {},
             .requests = std::move(requests),
             .fps = {},
+            .paint_text = [](std::string_view line) -> Result<Image> {
+                return Image(Size{static_cast<int>(line.size()) * 7, 14});
+            },
         };
         daemon.emplace(desktop, std::move(options));
         daemon->run();
