@@ -18,6 +18,7 @@ Win32Desktop::Win32Desktop(Win32DesktopOptions options)
       files_(options_.profile, options_.unwatched, clock_now()),
       screens_(options_.monitors(), clock_now()),
       overlay_(*this),
+      bubbles_(*this, PaneClicks::pass_through),
       pointer_(overlay_, inbox_) {}
 
 Result<std::unique_ptr<Win32Desktop>> Win32Desktop::create(Win32DesktopOptions options) {
@@ -66,6 +67,11 @@ std::vector<Monitor> Win32Desktop::monitors() {
 
 void Win32Desktop::present(const Frame& frame) {
     overlay_.present(frame, screens_.current(), clock_now());
+    // Windows of their own: what a layered window shows, it catches clicks with.
+    if (bubbles_shown_ || !frame.bubbles.empty()) {
+        bubbles_.present(Frame{.sprites = frame.bubbles}, screens_.current(), clock_now());
+        bubbles_shown_ = !frame.bubbles.empty();
+    }
 }
 
 void Win32Desktop::show_status(const Status& status) {
@@ -107,7 +113,7 @@ void Win32Desktop::drain_messages() {
 }
 
 Ticks Win32Desktop::chores_due() const {
-    return std::min({files_.due(), screens_.due(), overlay_.due(), tray_->due()});
+    return std::min({files_.due(), screens_.due(), overlay_.due(), bubbles_.due(), tray_->due()});
 }
 
 void Win32Desktop::do_chores() {
@@ -117,11 +123,14 @@ void Win32Desktop::do_chores() {
     }
     if (time >= screens_.due() && screens_.settle(options_.monitors(), time)) {
         overlay_.forget_pixels();
+        bubbles_.forget_pixels();
         inbox_.emplace_back(input::MonitorsChanged{});
     }
     tray_->retry(time);
-    if (time >= overlay_.due()) {
-        overlay_.present_again(screens_.current(), time);
+    for (Overlay* overlay : {&overlay_, &bubbles_}) {
+        if (time >= overlay->due()) {
+            overlay->present_again(screens_.current(), time);
+        }
     }
 }
 

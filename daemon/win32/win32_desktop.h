@@ -99,6 +99,8 @@ private:
     MonitorWatch screens_;
     Window daemon_;
     Overlay overlay_;
+    Overlay bubbles_;
+    bool bubbles_shown_ = false;
     Pointer pointer_;
     std::optional<AboutBox> about_;
     std::optional<TrayIcon> tray_;
