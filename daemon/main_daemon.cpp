@@ -17,6 +17,7 @@
 #include "daemon/win32/process_use.h"
 #include "daemon/win32/single_instance.h"
 #include "daemon/win32/text.h"
+#include "daemon/win32/text_painter.h"
 #include "daemon/win32/win32_desktop.h"
 
 #include <fmt/format.h>
@@ -59,6 +60,7 @@ Places places_for(const win32::Folders& folders, const DaemonCommandLine& line) 
                 .user = user,
                 .shipped = folders.program,
                 .more_scripts = {},
+                .state = line.profile ? user : folders.state,
             },
         .log = (line.profile ? user : folders.state) / "hyrax.log",
     };
@@ -150,6 +152,7 @@ int run_daemon(const Places& places, const DaemonCommandLine& line, const std::w
         .requests = line.common.requests,
         .fps = {},
         .seed = line.common.for_testing ? 1U : seed_of_the_day(),
+        .paint_text = win32::make_gdiplus_text_painter(),
     };
     if (line.common.trace) {
         auto trace = Trace::open(*line.common.trace);

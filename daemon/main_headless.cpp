@@ -3,6 +3,7 @@
 #include "daemon/control/command_line.h"
 #include "daemon/control/controller.h"
 #include "daemon/core/daemon.h"
+#include "daemon/core/files.h"
 #include "daemon/core/log_failure.h"
 #include "daemon/core/statistics.h"
 #include "daemon/headless/control_path.h"
@@ -12,6 +13,8 @@
 #include "daemon/headless/png_file.h"
 #include "daemon/headless/process_use.h"
 #include "daemon/headless/real_time_desktop.h"
+#include "daemon/headless/testing_host.h"
+#include "daemon/headless/text_painter.h"
 #include "daemon/headless/window_list.h"
 #include "daemon/script/script_host.h"
 
@@ -25,6 +28,9 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <memory>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -47,7 +53,8 @@ hyrax::Profile profile_for(const hyrax::HeadlessCommandLine& line) {
         .config = config,
         .user = fs::absolute(config).parent_path(),
         .shipped = shipped,
-        .more_scripts = line.scripts,
+        .more_scripts = line.test ? std::vector{*line.test} : line.scripts,
+        .state = line.state ? *line.state / "state.json" : fs::path(),
     };
 }
 
@@ -75,6 +82,21 @@ void report(
     );
 }
 
+/// Runs the cases of this script alone; the run ends when the last of them has ended.
+std::unique_ptr<hyrax::ScriptHost> testing_host(
+    std::unique_ptr<hyrax::ScriptHost> host,
+    const fs::path& script,
+    hyrax::HeadlessDesktop& desktop,
+    hyrax::TestReport& tests
+) {
+    return std::make_unique<hyrax::TestingHost>(
+        std::move(host),
+        hyrax::utf8_from_path(script.filename()),
+        tests,
+        [&desktop] { desktop.add({desktop.now(), hyrax::Request{hyrax::request::Quit{}}}); }
+    );
+}
+
 template <typename AnyDesktop>
 hyrax::Statistics statistics_of(const hyrax::Daemon& daemon, AnyDesktop& desktop) {
     return {
@@ -95,6 +117,12 @@ int run_on(
     const hyrax::HeadlessCommandLine& line
 ) {
     const hyrax::Ticks start = desktop.now();
+    hyrax::TestReport tests;
+    if constexpr (std::is_same_v<AnyDesktop, hyrax::HeadlessDesktop>) {
+        if (line.test) {
+            options.scripts = testing_host(std::move(options.scripts), *line.test, desktop, tests);
+        }
+    }
     hyrax::Daemon daemon(desktop, std::move(options));
     const auto tell_statistics = [&] {
         if (line.common.statistics) {
@@ -117,6 +145,10 @@ int run_on(
             return failed(written.error());
         }
     }
+    if (line.test) {
+        fmt::print("{}", hyrax::tap(tests));
+        return tests.passed() ? exit_ok : exit_failed;
+    }
     report(daemon, desktop.counters(), hyrax::to_seconds(desktop.now() - start), busy);
     return exit_ok;
 }
@@ -124,14 +156,13 @@ int run_on(
 int serve(
     const std::vector<hyrax::Monitor>& monitors,
     hyrax::DaemonOptions options,
+    hyrax::Ticks span,
     const hyrax::HeadlessCommandLine& line
 ) {
     auto control = hyrax::ControlSocket::open(options.profile.user);
     if (!control) {
         return failed(control.error());
     }
-    const hyrax::Ticks span =
-        std::isinf(line.seconds) ? hyrax::never : hyrax::from_seconds(line.seconds);
     hyrax::RealTimeDesktop desktop(monitors, span, *std::move(control));
     options.control = hyrax::make_controller(hyrax::save_file);
     return run_on(desktop, monitors, std::move(options), line);
@@ -142,6 +173,7 @@ int run(const hyrax::HeadlessCommandLine& line) {
     if (!monitors) {
         return failed(monitors.error());
     }
+    const hyrax::FreetypePainter painter;
     hyrax::DaemonOptions options{
         .profile = profile_for(line),
         .decode = hyrax::decode_png,
@@ -149,6 +181,8 @@ int run(const hyrax::HeadlessCommandLine& line) {
         .trace = {},
         .requests = line.common.requests,
         .fps = line.fps,
+        .paint_text = [&painter](std::string_view text) { return painter.draw(text); },
+        .welcome = !line.test,
     };
     if (line.common.trace) {
         auto trace = hyrax::Trace::open(*line.common.trace);
@@ -158,10 +192,11 @@ int run(const hyrax::HeadlessCommandLine& line) {
         options.trace = *std::move(trace);
     }
 
+    const hyrax::Ticks span =
+        std::isinf(line.duration()) ? hyrax::never : hyrax::from_seconds(line.duration());
     if (line.serve) {
-        return serve(*monitors, std::move(options), line);
+        return serve(*monitors, std::move(options), span, line);
     }
-    const hyrax::Ticks span = hyrax::from_seconds(line.seconds);
     if (line.real_time) {
         hyrax::RealTimeDesktop desktop(*monitors, span);
         return run_on(desktop, *monitors, std::move(options), line);

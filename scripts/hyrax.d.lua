@@ -19,7 +19,10 @@
 ---| "bounce"   # fun(pet: hyrax.Pet, side: "left"|"right"|"top"|"bottom", speed: number)
 ---| "land"     # fun(pet: hyrax.Pet, speed: number)   the first touch of the floor after a flight
 ---| "click"    # fun(pet: hyrax.Pet, button: "left"|"right"|"middle")
+---| "collide"  # fun(a: hyrax.Pet, b: hyrax.Pet, speed: number)   their boxes begin to overlap; speed: how fast they came nearer. With pet:on, a is that pet
 ---| "monitors" # fun()                                screens came or went
+---| "config"   # fun(key: string, value: any)         the user changed a setting of this script
+---| "unload"   # fun(reason: "reload"|"disable"|"exit")   the last that is heard: a small budget, no waiting
 
 ---@class hyrax.Pet                 a handle; the same pet is always the same handle, so it can be a key of a table
 ---@field readonly valid boolean    false once the pet is gone; only valid, id and tag can be read then
@@ -32,9 +35,10 @@
 ---@field readonly vy number
 ---@field readonly w integer
 ---@field readonly h integer
----@field readonly state "fall"|"idle"|"held"
+---@field readonly state "fall"|"idle"|"walk"|"held"
 ---@field tag string                free text, at most 64 bytes, survives a reload
----@field readonly facing "left"|"right"
+---@field scale number              its own, 0.25 to 4; the feet stay where they are
+---@field facing "left"|"right"     a pet that moves turns to where it goes
 local Pet = {}
 ---Sets the velocity, as if thrown by hand. Longer ones than 20000 px/s are shortened.
 ---@param vx number
@@ -52,6 +56,19 @@ function Pet:reset() end
 ---@param x number
 ---@param y number
 function Pet:move_to(x, y) end
+---Walks along the floor, once it is on one, until its left edge is at x; a wall, the edge of the
+---floor, a hand or another verb ends the walk before.
+---@param x number
+---@param speed? number             1 to 20000, default 120
+function Pet:walk_to(x, speed) end
+---Shows an animation of its kind: once or, if it loops, until the pet is grabbed or set in motion.
+---@param animation string
+---@param opts? hyrax.PlayOptions
+function Pet:play(animation, opts) end
+---Shows a bubble above the pet, of three lines at most. An empty text takes it away.
+---@param text string               at most 200 bytes, plain text
+---@param seconds? number           0.1 to 3600, default 3
+function Pet:say(text, seconds) end
 ---Safe to call twice.
 function Pet:remove() end
 ---Like hyrax.on, for this pet alone. Ends with the pet.
@@ -62,7 +79,7 @@ function Pet:on(event, fn) end
 
 ---@class hyrax.Subscription
 local Subscription = {}
----Ends the handler or timer. Safe to call twice.
+---Ends the handler, timer or hotkey. Safe to call twice.
 function Subscription:cancel() end
 
 ---@class hyrax.SpawnOptions
@@ -72,6 +89,11 @@ function Subscription:cancel() end
 ---@field vx? number        default 0
 ---@field vy? number        default 0
 ---@field tag? string       default ""
+---@field scale? number     0.25 to 4, default 1
+
+---@class hyrax.PlayOptions
+---@field loop? boolean     default: as the animation is made
+---@field fps? number       0.1 to 120; default: as its frames last
 
 ---@class hyrax.Near        a circle; a pet is in it if the middle of its box is
 ---@field x number
@@ -93,15 +115,25 @@ function Subscription:cancel() end
 ---@class hyrax.Monitor: hyrax.Rect
 ---@field work hyrax.Rect   without the taskbar
 ---@field primary boolean
+---@field scale number      how much larger things are shown there: 1.5 at 150 %
+
+---@class hyrax.Plugin
+---@field readonly id string         the script's file name, or the plugin's id
+---@field readonly version string    "" for a script
 
 ---@class hyrax
 ---@field readonly api string        "1.0"
+---@field readonly plugin hyrax.Plugin
+---@field readonly config table<string, any>   the user's settings of this script
+---@field store hyrax.Store
 ---@field log hyrax.Log
+---@field test? hyrax.Test           only where tests run: hyrax-headless --test
 hyrax = {}
 ---@param opts? hyrax.SpawnOptions
 ---@return hyrax.Pet    raises an error when this script has 64 pets
 function hyrax.spawn(opts) end
----Own pets, the topmost last.
+---Own pets, the topmost last. Those of others can be read; changing them needs the permission
+---"pets.others".
 ---@param filter? hyrax.PetFilter
 ---@return hyrax.Pet[]
 function hyrax.pets(filter) end
@@ -115,9 +147,9 @@ function hyrax.pet_at(x, y) end
 ---@param vx number
 ---@param vy number
 function hyrax.fling(filter, vx, vy) end
----Every pet back to where it was spawned, at rest.
+---Own pets, and with the permission "pets.others" all, back to where they were spawned, at rest.
 function hyrax.reset() end
----Removes every pet.
+---Removes own pets, and with the permission "pets.others" all.
 function hyrax.clear() end
 ---@param event hyrax.EventName
 ---@param fn function     runs in its own coroutine: it may wait()
@@ -155,6 +187,36 @@ function hyrax.arena() end
 ---@return hyrax.Monitor[]
 function hyrax.monitors() end
 
+---Where the pointer is; nil while that is not known. Needs the permission "cursor".
+---@return number? x
+---@return number? y
+function hyrax.cursor() end
+---The rectangles of other programs' windows, the topmost first. Needs the permission "windows".
+---@return hyrax.Rect[]
+function hyrax.windows() end
+---Calls fn when the keys are pressed. Needs the permission "hotkeys".
+---@param keys string       such as "ctrl+alt+h" or "f8"
+---@param label string      what it does, for the user; at most 64 bytes
+---@param fn function
+---@return hyrax.Subscription
+function hyrax.hotkey(keys, label, fn) end
+---Tells the user something, at most once in 30 s. Needs the permission "notify".
+---@param text string       at most 200 bytes, plain text
+function hyrax.notify(text) end
+
+---@class hyrax.Store    256 KiB; written to the disk in the background
+local Store = {}
+---A copy of what is kept under the key.
+---@generic T
+---@param key string      1 to 64 bytes
+---@param default? T      if there is nothing
+---@return T
+function Store.get(key, default) end
+---Keeps a copy from now on, over restarts.
+---@param key string
+---@param value any       nil (forgets it), a boolean, a number, a string in UTF-8, or a plain table of these: a list or names
+function Store.set(key, value) end
+
 ---@class hyrax.Log      50 lines a second, 512 bytes a line
 local Log = {}
 ---@param fmt any        with further arguments a format as in string.format, else a value
@@ -166,4 +228,34 @@ function Log.warn(fmt, ...) end
 ---@param fmt any
 ---@param ... any
 function Log.error(fmt, ...) end
+
+---@class hyrax.Test     what `hyrax-headless --test script.lua` runs
+local Test = {}
+---A case of its own coroutine, run after the main chunk, one after the other. Any error of the
+---script meanwhile fails it; its pets are removed when it ends.
+---@param name string
+---@param fn function
+function Test.case(name, fn) end
+---@param condition any
+---@param message? string
+function Test.expect(condition, message) end
+---Compares as == without metamethods does.
+---@param actual any
+---@param expected any
+---@param message? string
+function Test.equal(actual, expected, message) end
+---@param actual number
+---@param expected number
+---@param tolerance? number     default 1e-6
+---@param message? string
+function Test.near(actual, expected, tolerance, message) end
+---fn must raise an error that contains the text.
+---@param fn function
+---@param part? string
+---@param message? string
+function Test.fails(fn, part, message) end
+---Lets so much of the pets' time pass, which takes no real time.
+---@async
+---@param seconds number
+function Test.advance(seconds) end
 return hyrax

@@ -24,6 +24,8 @@ struct Raw {
     std::vector<std::string> scripts;
     std::string windows;
     std::string snapshot;
+    std::string test;
+    std::string state;
 };
 
 // CLI::Range lets NaN pass, which is neither below nor above anything.
@@ -117,6 +119,13 @@ std::variant<DaemonCommandLine, Farewell> parse_daemon_arguments(
     return line;
 }
 
+double HeadlessCommandLine::duration() const {
+    if (serve && !seconds) {
+        return std::numeric_limits<double>::infinity();
+    }
+    return seconds.value_or(test ? 3'600.0 : 10.0);
+}
+
 std::variant<HeadlessCommandLine, Farewell> parse_headless_arguments(
     const std::vector<std::string>& arguments
 ) {
@@ -134,13 +143,23 @@ std::variant<HeadlessCommandLine, Farewell> parse_headless_arguments(
     app.add_flag(
         "--serve", line.serve, "Run on the real clock until told to quit, and listen to hyraxctl"
     );
-    app.add_option("--seconds", line.seconds, "How long to run [seconds of its clock]")
-        ->check(between(0.0, 1e6))
-        ->capture_default_str();
+    app.add_option(
+           "--seconds",
+           line.seconds,
+           "How long to run [seconds of its clock]: 10, or with --test 3600 at most"
+    )
+        ->check(between(0.0, 1e6));
     app.add_flag(
         "--real-time",
         line.real_time,
         "Wait as on a screen, and draw every frame into memory; SIGUSR1 adds a line to --stats"
+    );
+    app.add_option("--test", raw.test, "Run the cases that this script makes with hyrax.test")
+        ->excludes("--script")
+        ->excludes("--serve")
+        ->excludes("--real-time");
+    app.add_option(
+        "--state", raw.state, "Folder for what outlives the program; without it nothing does"
     );
     app.add_option("--fps", line.fps, "Frames a second instead of the config's")
         ->check(between(1.0, 1000.0));
@@ -160,14 +179,13 @@ std::variant<HeadlessCommandLine, Farewell> parse_headless_arguments(
     if (std::optional<Farewell> farewell = parse(app, arguments)) {
         return *std::move(farewell);
     }
-    if (line.serve && app.count("--seconds") == 0) {
-        line.seconds = std::numeric_limits<double>::infinity();
-    }
     line.common.trace = given(raw.trace);
     line.common.statistics = given(raw.statistics);
     line.config = given(raw.config);
     line.windows = given(raw.windows);
     line.snapshot = given(raw.snapshot);
+    line.test = given(raw.test);
+    line.state = given(raw.state);
     for (const std::string& script : raw.scripts) {
         line.scripts.push_back(path_of(script));
     }

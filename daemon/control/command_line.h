@@ -37,14 +37,19 @@ struct HeadlessCommandLine {
     CommonOptions common;
     std::optional<std::filesystem::path> config;
     std::vector<std::filesystem::path> scripts;
-    /// 0 to 1e6, of the clock it runs on; without end if it serves and nothing is said.
-    double seconds = 10.0;
+    /// 0 to 1e6, of the clock it runs on.
+    std::optional<double> seconds;
+    /// If nothing is said: without end if it serves, 3600 for tests, which end by themselves,
+    /// or 10.
+    double duration() const;
     bool real_time = false;  ///< Else the clock is virtual.
     bool serve = false;      ///< On the real clock, with a control channel.
     std::optional<double> fps;
     std::string monitors = "1920x1080+0+0";
     std::optional<std::filesystem::path> windows;
     std::optional<std::filesystem::path> snapshot;
+    std::optional<std::filesystem::path> test;   ///< A script whose cases run, alone.
+    std::optional<std::filesystem::path> state;  ///< Holds what scripts keep.
 };
 
 /// Arguments without the program's name, UTF-8.

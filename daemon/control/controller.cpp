@@ -58,6 +58,10 @@ json event_json(const Engine& engine, const Event& event, double seconds) {
         case EventKind::land:
             told["speed"] = rounded(event.speed);
             break;
+        case EventKind::collide:
+            told["other"] = pet_text(event.other);
+            told["speed"] = rounded(event.speed);
+            break;
         case EventKind::click:
             told["button"] = button_name(event.button);
             break;

@@ -11,8 +11,8 @@
 namespace hyrax {
 namespace {
 
-constexpr std::array<std::string_view, 8> events{
-    "spawn", "remove", "grab", "throw", "bounce", "land", "click", "monitors"
+constexpr std::array<std::string_view, 9> events{
+    "spawn", "remove", "grab", "throw", "bounce", "land", "click", "collide", "monitors"
 };
 
 std::vector<Verb> joined() {

@@ -164,6 +164,8 @@ const char* state_of(const Pet& pet) {
             return pet.awake ? "sliding" : "at rest";
         case Motion::held:
             return "held";
+        case Motion::walking:
+            return "walking";
     }
     std::unreachable();
 }

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 namespace hyrax {
@@ -17,9 +18,14 @@ Daemon::Daemon(Desktop& desktop, DaemonOptions options)
       engine_(kinds_of(sets_), config_.engine, options.seed),
       scripts_(std::move(options.scripts)),
       control_(std::move(options.control)),
+      speeches_(std::move(options.paint_text)),
+      stores_(
+          profile_.state.empty() ? std::filesystem::path() : profile_.state.parent_path() / "store"
+      ),
       trace_(std::move(options.trace)),
       first_requests_(std::move(options.requests)),
-      begin_(desktop.now()) {
+      begin_(desktop.now()),
+      welcomed_(!options.welcome) {
     recall();
     read_config();
     read_kinds();
@@ -34,6 +40,9 @@ void Daemon::run() {
             handle(input);
         }
     }
+    scripts_.end(engine_, monitors_, clock_.at(desktop_.now()));
+    grant_wishes(desktop_.now());
+    stores_.write_all();
 }
 
 void Daemon::run_due() {
@@ -57,7 +66,8 @@ void Daemon::draw(Ticks now) {
     if (so.unseen) {
         report();
         choose_conduct(false, false);
-        next_frame_ = scripts_.watch_due();
+        stores_.write_due(now);
+        next_frame_ = std::min(scripts_.watch_due(), stores_.next_write());
         return;
     }
     const Ticks world = clock_.at(now);
@@ -68,8 +78,10 @@ void Daemon::draw(Ticks now) {
         engine_.advance(world);
         scripts_.run(engine_, monitors_, world);
         changed_ = engine_.has_events();
+        grant_wishes(now);
     }
     mind_windows();
+    stores_.write_due(now);
     control_.tell_watchers(engine_, desktop_, to_seconds(world - begin_));
     Staged next;
     if (!so.windowless && !remembered_.hidden) {
@@ -84,6 +96,9 @@ void Daemon::draw(Ticks now) {
         );
         next.frame.kept_free = so.kept_free;
     }
+    if (speeches_.concern(next.speakers)) {
+        speeches_.show(next.frame, engine_, next.speakers);
+    }
     if (next.frame != frame_) {
         frame_ = std::move(next.frame);
         desktop_.present(frame_);
@@ -93,7 +108,9 @@ void Daemon::draw(Ticks now) {
     }
     report();
     pacer_.drawn(now);
-    const Ticks wake = clock_.machine_time(std::min(next.next_change, scripts_.next_wake()));
+    const Ticks wake = std::min(
+        clock_.machine_time(std::min(next.next_change, scripts_.next_wake())), stores_.next_write()
+    );
     const bool every_frame = swinging || (engine_.moving() && !clock_.paused());
     const Ticks due = std::min({wake, presence_.due(), scripts_.watch_due(), show_at_});
     next_frame_ = every_frame ? pacer_.next() : std::max(due, pacer_.next());
@@ -103,6 +120,17 @@ void Daemon::draw(Ticks now) {
     ++frames_;
     if (control_.is_open()) {
         drawing_ += desktop_.now() - now;
+    }
+}
+
+// What scripts ask of somebody else than the engine.
+void Daemon::grant_wishes(Ticks now) {
+    for (ScriptCommand& wish : scripts_.take_wishes()) {
+        if (auto* const store = std::get_if<command::Store>(&wish)) {
+            stores_.set(store->script, store->key, std::move(store->value), now);
+        } else if (const auto* const notice = std::get_if<command::Notify>(&wish)) {
+            spdlog::info("notice of {}: {}", notice->script, notice->text);
+        }
     }
 }
 
@@ -137,6 +165,9 @@ std::string Daemon::problem() const {
         if (!list->empty()) {
             return list->front();
         }
+    }
+    if (!scripts_.errors().empty()) {
+        return scripts_.errors().begin()->second;
     }
     if (place_problem_.empty() && config_.presence.hide_from_capture &&
         presence_.facts().capture_refused) {

@@ -13,6 +13,8 @@
 #include "daemon/core/profile.h"
 #include "daemon/core/remembered.h"
 #include "daemon/core/script_bridge.h"
+#include "daemon/core/script_stores.h"
+#include "daemon/core/speech.h"
 #include "daemon/core/stage.h"
 #include "daemon/core/trace.h"
 #include "daemon/core/world_clock.h"
@@ -35,6 +37,8 @@ struct DaemonOptions {
     std::vector<Request> requests;  ///< Carried out after the start-up pets have come.
     std::optional<double> fps;      ///< Instead of the config's.
     std::uint32_t seed = 1;         ///< For pets without a given place.
+    TextPainter paint_text{};       ///< None: nobody speaks.
+    bool welcome = true;            ///< The config's pets come at the start.
 };
 
 /// What the daemon has done, as far as it is asked.
@@ -135,6 +139,7 @@ private:
     void heed_presence(Ticks now);
     void choose_conduct(bool moving, bool animated);
 
+    void grant_wishes(Ticks now);
     void draw(Ticks now);
     void welcome();
     void report();
@@ -151,6 +156,8 @@ private:
     Engine engine_;
     ScriptBridge scripts_;
     ControlDesk control_;
+    Speeches speeches_;
+    ScriptStores stores_;
     std::optional<Trace> trace_;
     std::vector<Request> first_requests_;
 

@@ -89,7 +89,11 @@ void Daemon::read_scripts() {
     });
     if (loaded.sources != sources_) {
         sources_ = std::move(loaded.sources);
-        scripts_.load(sources_);
+        std::vector<ScriptSource> with_stores = sources_;
+        for (ScriptSource& source : with_stores) {
+            source.store = stores_.of(source.name);
+        }
+        scripts_.load(std::move(with_stores));
     }
 }
 

@@ -113,6 +113,12 @@ Result<void> Engine::change(PetId id, std::string_view verb, Vec2 numbers, Act a
     return {};
 }
 
+Result<Pet*> Engine::pet_for(PetId id, std::string_view verb, Vec2 numbers) {
+    Pet* pet = nullptr;
+    const Result<void> checked = change(id, verb, numbers, [&pet](Pet& found) { pet = &found; });
+    return checked ? Result<Pet*>(pet) : std::unexpected(checked.error());
+}
+
 Result<void> Engine::remove(PetId id) {
     return change(id, "remove", {}, [this, id](const Pet& pet) {
         emit({.kind = EventKind::remove, .pet = id, .tag = pet.tag});
@@ -136,6 +142,7 @@ Result<void> Engine::push(PetId id, Vec2 impulse) {
 Result<void> Engine::stop(PetId id) {
     return change(id, "stop", {}, [this, id](Pet& pet) {
         if (pet.awake && pet.motion != Motion::held) {
+            pet.walk.reset();
             set_in_motion(id, pet, {});
         }
     });
@@ -168,6 +175,8 @@ Result<void> Engine::grab(PetId id, Ticks time) {
         std::erase_if(held_, [id](const Held& held) { return held.pet == id; });
         held_.push_back({id, spring});
         pet.motion = Motion::held;
+        pet.walk.reset();
+        pet.playing.reset();
         pet.since = now_;
         refresh_frozen(id, pet);
         pet.awake = false;
@@ -223,26 +232,6 @@ void Engine::fling_all() {
         const double sideways = (random_unit() * 2.0 - 1.0) * 1200.0;
         const double upwards = 600.0 + random_unit() * 700.0;
         launch(id, pet, {sideways, -upwards});
-    });
-}
-
-void Engine::set_arena(Arena arena) {
-    const std::vector<Rect> former = arena_.boxes();
-    arena_ = std::move(arena);
-    lay_ledges();
-    emit({.kind = EventKind::monitors});
-    spaces_.set_arena(arena_);
-    mind_screens();
-    if (arena_.empty()) {
-        return;
-    }
-    const bool other_boxes = former != arena_.boxes();
-    pets_.for_each([&](PetId id, Pet& pet) {
-        pet.screen = arena_.index_near(feet(pet));
-        const bool resized = fit(id, pet);
-        if (pet.motion != Motion::held) {
-            move_into_arena(id, pet, other_boxes || resized);
-        }
     });
 }
 
@@ -302,12 +291,18 @@ void Engine::place(Pet& pet, Vec2 position) {
     pet.home = arena_.box_near({at.x + size.width / 2.0, at.y + size.height / 2.0});
 }
 
-void Engine::set_in_motion(PetId id, Pet& pet, Vec2 velocity) {
-    const bool heard = listening_.has(EventKind::bounce) || watching_.has(EventKind::bounce);
-    const WallEvents walls = heard ? WallEvents::wanted : WallEvents::not_wanted;
+// The body begins anew where the pet is shown.
+void Engine::relaunch(Pet& pet, Vec2 velocity) {
     pet.shown.velocity = velocity;
-    pet.body.launch(pet.position(), velocity, rules_, around(pet), walls);
+    pet.body.launch(pet.position(), velocity, rules_, around(pet), wall_events());
     pet.started = false;
+    if (pet.walk) {
+        pet.walk->begun = false;
+    }
+}
+
+void Engine::set_in_motion(PetId id, Pet& pet, Vec2 velocity) {
+    relaunch(pet, velocity);
     refresh_frozen(id, pet);
     if (!pet.awake) {
         pet.awake = true;
@@ -321,6 +316,8 @@ void Engine::launch(PetId id, Pet& pet, Vec2 velocity) {
     if (pet.motion == Motion::held) {
         return;
     }
+    pet.walk.reset();
+    pet.playing.reset();
     set_in_motion(id, pet, capped(velocity));
     pet.motion = Motion::airborne;
     pet.since = now_;
@@ -333,30 +330,6 @@ void Engine::put_back(PetId id, Pet& pet) {
     }
     put(id, pet, pet.spawn_position);
     launch(id, pet, {});
-}
-
-// Who may stay stays, velocity and all. Who is inside a new wall is put before it and no longer
-// moves against it; who has lost its screen arrives on the next one at rest.
-void Engine::move_into_arena(PetId id, Pet& pet, bool disturbed) {
-    const Vec2 before = pet.position();
-    const Size size = box_of(pet);
-    const Rect box{static_cast<int>(before.x), static_cast<int>(before.y), size.width, size.height};
-    place(pet, before);
-    const Vec2 moved = pet.position() - before;
-    if (moved == Vec2{} && !disturbed) {
-        return;
-    }
-    const bool on_a_screen = std::ranges::any_of(arena_.boxes(), [&box](const Rect& room) {
-        return !intersection(room, box).empty();
-    });
-    Vec2 velocity = on_a_screen ? pet.velocity() : Vec2{};
-    if (moved.x * velocity.x < 0.0) {
-        velocity.x = 0.0;
-    }
-    if (moved.y * velocity.y < 0.0) {
-        velocity.y = 0.0;
-    }
-    set_in_motion(id, pet, velocity);
 }
 
 Vec2 Engine::capped(Vec2 velocity) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "daemon/core/arena.h"
+#include "daemon/core/collisions.h"
 #include "daemon/core/event.h"
 #include "daemon/core/ledges.h"
 #include "daemon/core/pet.h"
@@ -12,6 +13,7 @@
 #include "physics/body.h"
 #include "physics/spring.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <random>
@@ -29,6 +31,7 @@ struct Kind {
     double scale = 1.0;          ///< least_scale to most_scale.
     bool whole_scale = false;    ///< Pixel art: all scales together are rounded to 1, 2, 3 ...
     double largest_scale = 8.0;  ///< All scales together are held below: its pictures are large.
+    std::vector<std::string> animations{};  ///< Names of what it can play.
 };
 
 /// Of a pet, of a kind, of the settings.
@@ -36,6 +39,10 @@ inline constexpr double least_scale = 0.25;
 inline constexpr double most_scale = 4.0;
 /// Fainter, a pet could be lost.
 inline constexpr double least_opacity = 0.1;
+/// Of an animation that is played at a rate of its own [frames/s].
+inline constexpr double least_fps = 0.1;
+inline constexpr double most_fps = 120.0;
+inline constexpr double longest_speech = 3600.0;  ///< [s]
 /// All scales together are held above this.
 inline constexpr double least_drawn_scale = 0.125;
 
@@ -109,6 +116,17 @@ public:
     /// least_opacity to 1, beside that of the settings.
     [[nodiscard]] Result<void> set_opacity(PetId id, double opacity);
 
+    /// Walks along the floor, once it is on one, until the left edge of its box is at `x` [px], or
+    /// until a wall, the edge of the floor, a hand or another verb ends it. `speed` > 0 [px/s].
+    [[nodiscard]] Result<void> walk_to(PetId id, double x, double speed);
+    /// Shows an animation of its kind: once, or, in a loop, until the pet is grabbed or set in
+    /// motion, or plays another.
+    [[nodiscard]] Result<void> play(PetId id, Playing playing);
+    /// Shows the text above it for so long [s]; an empty text ends that.
+    [[nodiscard]] Result<void> say(PetId id, std::string text, double seconds);
+    /// While it moves, a pet faces where it goes.
+    [[nodiscard]] Result<void> face(PetId id, bool left);
+
     /// Picks a pet up: a spring pulls it to where carry() says, until let_go(). Times are the
     /// hand's own: they go on while the pets' time is paused.
     [[nodiscard]] Result<void> grab(PetId id, Ticks time);
@@ -176,12 +194,12 @@ public:
 
     EngineReport report() const;
 
-    void listen(EventMask mask) { listening_ = mask; }
+    void listen(EventMask mask);
     bool has_events() const { return !events_.empty(); }
     /// The events since the last call, oldest first.
     std::vector<Event> take_events();
     /// The same for a second listener, with a list of its own.
-    void watch(EventMask mask) { watching_ = mask; }
+    void watch(EventMask mask);
     std::vector<Event> take_watched() { return std::exchange(watched_, {}); }
 
 private:
@@ -206,7 +224,7 @@ private:
     bool fit(PetId id, Pet& pet);
     bool refit(PetId id, Pet& pet);
     void put(PetId id, Pet& pet, Vec2 position);
-    void follow_screen(PetId id, Pet& pet, Ticks now);
+    void follow_screen(PetId id, Pet& pet, Ticks own);
     void mind_screens();
     // engine_ledges.cpp
     struct Footing;
@@ -218,15 +236,29 @@ private:
     void find_footing(const Footing& before, Pet& pet);
 
     void place(Pet& pet, Vec2 position);
+    void relaunch(Pet& pet, Vec2 velocity);
     void set_in_motion(PetId id, Pet& pet, Vec2 velocity);
     void launch(PetId id, Pet& pet, Vec2 velocity);
     void put_back(PetId id, Pet& pet);
     void move_into_arena(PetId id, Pet& pet, bool disturbed);
     void advance(PetId id, Pet& pet, Ticks now);
     bool in_frozen_area(const Pet& pet) const;
+    Ticks own_time(const Pet& pet) const { return std::min(now_, pet.frozen_at) - pet.lost; }
     void refresh_frozen(PetId id, Pet& pet);
     void thaw(PetId id, Pet& pet);
     void meet(PetId id, Pet& pet, const TrajectoryEvent& event);
+    Result<Pet*> pet_for(PetId id, std::string_view verb, Vec2 numbers);
+    // engine_walk.cpp
+    bool walks(PetId id, Pet& pet, Ticks now);
+    void begin_walk(Pet& pet, Ticks time, Vec2 from);
+    std::optional<Walk> way_to_target(const Pet& pet, Vec2 from) const;
+    bool walk_is_outdated(const Pet& pet) const;
+    void end_walk(Pet& pet);
+    void find_collisions();
+    bool is_heard(EventKind kind) const { return listening_.has(kind) || watching_.has(kind); }
+    WallEvents wall_events() const {
+        return is_heard(EventKind::bounce) ? WallEvents::wanted : WallEvents::not_wanted;
+    }
     Vec2 capped(Vec2 velocity) const;
     Vec2 random_entrance();
     double random_unit();
@@ -247,6 +279,7 @@ private:
     EventMask listening_;
     std::vector<Event> watched_;
     EventMask watching_;
+    Collisions collisions_;
     std::uint64_t contacts_ = 0;
     std::minstd_rand random_;
     Ticks now_ = 0;

@@ -44,6 +44,9 @@ void Engine::thaw(PetId id, Pet& pet) {
     pet.lost += now_ - pet.frozen_at;
     // A motion that was begun meanwhile begins now.
     pet.since += now_ - std::max(pet.since, pet.frozen_at);
+    if (pet.playing) {
+        pet.playing->since += now_ - std::max(pet.playing->since, pet.frozen_at);
+    }
     pet.frozen_at = never;
     if (pet.awake) {
         awake_.push_back(id);

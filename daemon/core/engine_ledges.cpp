@@ -137,15 +137,18 @@ void Engine::find_footing(const Footing& before, Pet& pet) {
     const bool stood = mode != Mode::air && rules_.law.gravity > 0.0;
     const bool fell = stood && !around(pet).space.support(state_in_space(pet).position);
     const bool turned = mode != Mode::rest && !same_contact(before.next, next_contact_of(pet));
-    if (!carried && !fell && !turned && !before.folded) {
+    if (!carried && !fell && !turned && !before.folded && !walk_is_outdated(pet)) {
         return;
     }
     // Who moves goes on moving from the last frame on; who rested begins with the next one.
     const bool under_way = pet.awake && pet.started;
     set_in_motion(before.pet, pet, pet.velocity());
     if (under_way && !pet.frozen()) {
-        pet.body.start(now_ - pet.lost);
+        pet.body.start(own_time(pet));
         pet.started = true;
+        if (pet.walk && pet.body.mode() != Mode::air) {
+            begin_walk(pet, own_time(pet), pet.position());
+        }
     }
 }
 

@@ -54,6 +54,9 @@ void Engine::advance(Ticks now) {
         }
         return !pet.awake || pet.frozen();
     });
+    if (is_heard(EventKind::collide)) {
+        find_collisions();
+    }
 }
 
 void Engine::advance(PetId id, Pet& pet, Ticks now) {
@@ -61,21 +64,24 @@ void Engine::advance(PetId id, Pet& pet, Ticks now) {
     if (!std::exchange(pet.started, true)) {
         pet.body.start(own);
     }
-    pet.body.advance(own, rules_, around(pet), [&](const TrajectoryEvent& event) {
-        meet(id, pet, event);
-    });
-    pet.shown = pet.body.at(own, rules_, around(pet));
+    const bool walking = pet.walk && walks(id, pet, own);
+    if (!walking) {
+        pet.body.advance(own, rules_, around(pet), [&](const TrajectoryEvent& event) {
+            meet(id, pet, event);
+        });
+        pet.shown = pet.body.at(own, rules_, around(pet));
+    }
     if (std::fabs(pet.shown.velocity.x) > turning_speed) {
         pet.faces_left = pet.shown.velocity.x < 0.0;
     }
-    const Motion motion = motion_of(pet.shown.mode);
+    const Motion motion = walking ? Motion::walking : motion_of(pet.shown.mode);
     if (motion != pet.motion) {
         pet.motion = motion;
         pet.since = now;
-        pet.landed = pet.landed && motion == Motion::settled;
+        pet.landed = pet.landed && motion != Motion::airborne;
     }
     if (screens_differ_) {
-        follow_screen(id, pet, now);
+        follow_screen(id, pet, own);
     }
     pet.awake = pet.shown.mode != Mode::rest;
 }

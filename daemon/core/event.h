@@ -17,6 +17,7 @@ enum class EventKind : std::uint8_t {
     bounce,
     land,
     click,
+    collide,
     monitors
 };
 
@@ -32,9 +33,11 @@ struct Event {
     PetId pet{};
     Side side = Side::bottom;      ///< bounce
     Button button = Button::left;  ///< click
-    double speed = 0.0;            ///< bounce, land: speed towards the side at the impact [px/s].
-    Vec2 velocity{};               ///< throw_pet [px/s]
-    std::string tag{};             ///< remove: the tag of the pet that is no more.
+    /// bounce, land: towards the side at the impact; collide: of one pet towards the other [px/s].
+    double speed = 0.0;
+    Vec2 velocity{};    ///< throw_pet [px/s]
+    std::string tag{};  ///< remove: the tag of the pet that is no more.
+    PetId other{};      ///< collide: whom it met.
 
     bool operator==(const Event&) const = default;
 };

@@ -27,6 +27,8 @@ struct Sprite {
 /// In drawing order: the last sprite lies on top. Equal frames look the same.
 struct Frame {
     std::vector<Sprite> sprites;
+    /// Above them all; the pointer goes through. Each `pet` is whose it is.
+    std::vector<Sprite> bubbles{};
     /// Bounds of the monitors that show nothing of it: no window may be there.
     std::vector<Rect> kept_free{};
     bool operator==(const Frame&) const = default;

@@ -8,6 +8,7 @@
 #include "physics/ticks.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace hyrax {
@@ -19,6 +20,34 @@ enum class Motion {
     airborne,  ///< In flight or bouncing.
     settled,   ///< On the ground, sliding or still.
     held,      ///< In the user's hand.
+    walking,   ///< On the ground, by itself.
+};
+
+/// A walk along the floor at a constant speed. It waits until the pet is on the ground.
+struct Walk {
+    double target = 0.0;  ///< Where the left edge of the box is to be [px].
+    double speed = 0.0;   ///< Positive [px/s].
+    bool begun = false;
+    // What follows counts once it has begun.
+    Vec2 from{};
+    Ticks since = 0;
+    Ticks until = 0;     ///< At the target, at a wall or at the edge of the floor.
+    Vec2 velocity{};     ///< [px/s]
+    double end = 0.0;    ///< Where it ends [px].
+    bool falls = false;  ///< It ends at an edge, and the pet walks on into the air.
+};
+
+/// An animation instead of that of the pet's motion.
+struct Playing {
+    std::string animation;
+    std::optional<bool> loop{};   ///< None: as the animation is made.
+    std::optional<double> fps{};  ///< None: as its frames last.
+    Ticks since = 0;
+};
+
+struct Speech {
+    std::string text;
+    Ticks until = 0;
 };
 
 struct Pet {
@@ -42,6 +71,9 @@ struct Pet {
     bool landed = false;  ///< The flight has met a floor.
     std::string owner;    ///< Name of a script or plugin, or "user".
     std::string tag;      ///< Free text of the owner.
+    std::optional<Walk> walk{};
+    std::optional<Playing> playing{};
+    std::optional<Speech> speech{};
 
     /// Top-left corner of the box, virtual desktop [px].
     Vec2 position() const { return shown.position; }

@@ -123,7 +123,11 @@ LoadedScripts load_scripts(const Profile& profile, const std::vector<std::string
     const auto read = [&loaded](const std::string& name, const fs::path& path) {
         Result<std::string> text = read_text_file(path, max_script_bytes);
         if (text) {
-            loaded.sources.push_back({name, *std::move(text)});
+            loaded.sources.push_back({
+                .name = name,
+                .text = *std::move(text),
+                .permissions = {script_permissions.begin(), script_permissions.end()},
+            });
         } else {
             loaded.problems.push_back(text.error().message);
         }

@@ -18,7 +18,9 @@ struct Profile {
     std::filesystem::path user;     ///< Holds sprites/ and scripts/.
     std::filesystem::path shipped;  ///< Holds config/config.json, config/sprites/ and scripts/.
     std::vector<std::filesystem::path> more_scripts;  ///< Files that run whatever the config says.
-    std::filesystem::path state{};  ///< state.json; empty: nothing outlives the program.
+    /// state.json, beside which store/ is, where scripts keep things; empty: nothing outlives the
+    /// program.
+    std::filesystem::path state{};
 };
 
 struct LoadedKinds {
@@ -39,7 +41,7 @@ struct LoadedScripts {
 /// Reads the scripts that the patterns name: first in user/scripts, where * and ? match within one
 /// folder level; a plain name that is not there is looked up in shipped/scripts. Files ending
 /// in .d.lua describe the API and never run. `more_scripts` come last, under their file names. Each
-/// script is at most 1 MiB.
+/// script is at most 1 MiB. The user's own scripts have every permission.
 LoadedScripts load_scripts(const Profile& profile, const std::vector<std::string>& patterns);
 
 /// True when `name` fits: * is any run of characters but '/', ? is one of them.

@@ -38,7 +38,9 @@ void RemoteScriptHost::load(std::vector<ScriptSource> sources) {
     } else {
         // What is known of texts that are no more.
         const auto is_gone = [this](const auto& text) {
-            return std::ranges::find(sources_, text) == sources_.end();
+            return std::ranges::none_of(sources_, [&text](const ScriptSource& source) {
+                return source.name == text.name && source.text == text.text;
+            });
         };
         std::erase_if(out_, is_gone);
         std::erase_if(kills_, [&](const auto& entry) { return is_gone(entry.first); });
@@ -63,6 +65,7 @@ void RemoteScriptHost::stop() {
 
 ScriptOutput RemoteScriptHost::run(const ScriptWorld& world, std::span<const ScriptEvent> events) {
     ScriptOutput output;
+    keep_up(world);
     outgoing_.clear();
     if ((fresh_ || !running_) && !start(output)) {
         return output;
@@ -175,6 +178,7 @@ void RemoteScriptHost::accept(const wire::Answer& answer) {
     waiting_ = false;
     failures_ = 0;
     output_ = answer.output;
+    keep_up(answer.output);
     for (const std::uint32_t place : answer.output.ended) {
         if (place < sent_.size()) {
             out_.insert(sent_[place]);
@@ -186,6 +190,30 @@ void RemoteScriptHost::accept(const wire::Answer& answer) {
         output_->next_wake = 0;
     }
     last_.listening = output_->listening;
+}
+
+// A process that starts again is sent what scripts have kept and been told since they were loaded.
+void RemoteScriptHost::keep_up(const ScriptWorld& world) {
+    for (const ScriptSetting& setting : world.new_settings) {
+        if (ScriptSource* const source = source_named(setting.script)) {
+            set_field(source->config, setting.key, setting.value);
+        }
+    }
+}
+
+void RemoteScriptHost::keep_up(const ScriptOutput& output) {
+    for (const ScriptCommand& command : output.commands) {
+        const auto* const store = std::get_if<command::Store>(&command);
+        ScriptSource* const source = store != nullptr ? source_named(store->script) : nullptr;
+        if (source != nullptr) {
+            set_field(source->store, store->key, store->value);
+        }
+    }
+}
+
+ScriptSource* RemoteScriptHost::source_named(std::string_view name) {
+    const auto found = std::ranges::find(sources_, name, &ScriptSource::name);
+    return found == sources_.end() ? nullptr : &*found;
 }
 
 void RemoteScriptHost::look_after(const ScriptChannel::End& end) {

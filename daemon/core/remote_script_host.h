@@ -14,6 +14,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace hyrax {
@@ -40,7 +41,17 @@ public:
     bool running() const { return running_; }
 
 private:
+    // What a script keeps and is set to makes it no other one.
+    struct ByText {
+        bool operator()(const ScriptSource& a, const ScriptSource& b) const {
+            return std::tie(a.name, a.text) < std::tie(b.name, b.text);
+        }
+    };
+
     void stop();
+    void keep_up(const ScriptWorld& world);
+    void keep_up(const ScriptOutput& output);
+    ScriptSource* source_named(std::string_view name);
     bool start(ScriptOutput& output);
     void hear();
     void accept(const wire::Answer& answer);
@@ -53,8 +64,8 @@ private:
     ScriptLimits limits_;
     std::vector<ScriptSource> sources_;  // As loaded.
     std::vector<ScriptSource> sent_;     // Those that the process knows, by their places.
-    std::set<ScriptSource, std::less<>> out_;
-    std::map<ScriptSource, int, std::less<>> kills_;
+    std::set<ScriptSource, ByText> out_;
+    std::map<ScriptSource, int, ByText> kills_;
 
     bool running_ = false;
     bool fresh_ = false;    // The process has to be sent the sources.

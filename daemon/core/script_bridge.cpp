@@ -29,6 +29,8 @@ const char* state_name(Motion motion) {
             return "idle";
         case Motion::held:
             return "held";
+        case Motion::walking:
+            return "walk";
     }
     std::unreachable();
 }
@@ -40,6 +42,7 @@ struct MovingVerb {
     std::string_view operator()(const command::Push&) const { return "push"; }
     std::string_view operator()(const command::MoveTo&) const { return "move_to"; }
     std::string_view operator()(const command::Reset&) const { return "reset"; }
+    std::string_view operator()(const command::WalkTo&) const { return "walk_to"; }
     std::string_view operator()(const auto&) const { return {}; }
 };
 
@@ -61,6 +64,14 @@ void ScriptBridge::load(std::vector<ScriptSource> sources) {
     }
     loaded_ = !sources.empty();
     errors_.clear();
+    permissions_.clear();
+    for (const ScriptSource& source : sources) {
+        permissions_.insert(
+            permissions_.end(), source.permissions.begin(), source.permissions.end()
+        );
+    }
+    new_settings_.clear();
+    pressed_hotkeys_.clear();
     host_->load(std::move(sources));
     next_wake_ = 0;
 }
@@ -94,17 +105,31 @@ void ScriptBridge::run(Engine& engine, const std::vector<Monitor>& monitors, Tic
     }
     const bool due = next_wake_ <= now || !events_.empty();
     if (due && commands_.empty() && !host_->busy()) {
-        const std::vector<ScriptEvent> events(events_.begin(), events_.end());
-        events_.clear();
+        const std::vector<ScriptEvent> events = take_queue();
         use(engine, host_->run(snapshot(engine, monitors, now), events));
     }
     apply_commands(engine);
     forget_removed(engine);
 }
 
+void ScriptBridge::end(Engine& engine, const std::vector<Monitor>& monitors, Ticks now) {
+    if (!loaded_ || host_->busy()) {
+        return;
+    }
+    queue_events(engine);
+    ScriptWorld world = snapshot(engine, monitors, now);
+    world.ending = true;
+    use(engine, host_->run(world, take_queue()));
+    apply_commands(engine);
+}
+
 void ScriptBridge::queue_events(Engine& engine) {
     for (const Event& event : engine.take_events()) {
-        events_.push_back({event, event.pet == PetId{} ? PetKey{0} : key_of(event.pet)});
+        events_.push_back({
+            event,
+            event.pet == PetId{} ? PetKey{0} : key_of(event.pet),
+            event.other == PetId{} ? PetKey{0} : key_of(event.other),
+        });
     }
     while (events_.size() > most_events) {
         events_.pop_front();
@@ -114,6 +139,35 @@ void ScriptBridge::queue_events(Engine& engine) {
         spdlog::warn(
             "scripts were too slow: {} events were dropped", std::exchange(dropped_events_, 0)
         );
+    }
+}
+
+std::vector<ScriptEvent> ScriptBridge::take_queue() {
+    std::vector<ScriptEvent> events(events_.begin(), events_.end());
+    events_.clear();
+    return events;
+}
+
+bool ScriptBridge::anybody_may(std::string_view permission) const {
+    return std::ranges::find(permissions_, permission) != permissions_.end();
+}
+
+void ScriptBridge::see(std::optional<Vec2> cursor, std::vector<Rect> windows) {
+    cursor_ = cursor;
+    windows_ = std::move(windows);
+}
+
+void ScriptBridge::tell(ScriptSetting setting) {
+    if (loaded_) {
+        new_settings_.push_back(std::move(setting));
+        next_wake_ = 0;
+    }
+}
+
+void ScriptBridge::tell(PressedHotkey hotkey) {
+    if (loaded_) {
+        pressed_hotkeys_.push_back(std::move(hotkey));
+        next_wake_ = 0;
     }
 }
 
@@ -160,8 +214,17 @@ PetId ScriptBridge::id_of(PetKey key) const {
 
 ScriptWorld ScriptBridge::snapshot(
     const Engine& engine, const std::vector<Monitor>& monitors, Ticks now
-) const {
-    ScriptWorld world{.now = now, .pets = {}, .monitors = monitors, .kinds = engine.kinds()};
+) {
+    ScriptWorld world{
+        .now = now,
+        .pets = {},
+        .monitors = monitors,
+        .kinds = engine.kinds(),
+        .cursor = cursor_,
+        .windows = windows_,
+        .new_settings = std::exchange(new_settings_, {}),
+        .pressed_hotkeys = std::exchange(pressed_hotkeys_, {}),
+    };
     for (Kind& kind : world.kinds) {
         kind.box = engine.usual_box(kind);
     }
@@ -178,10 +241,15 @@ ScriptWorld ScriptBridge::snapshot(
             .box = engine.box_of(pet),
             .state = state_name(pet.motion),
             .faces_left = pet.faces_left,
+            .scale = pet.scale,
             .spawned_at = pet.spawn_position,
         });
     });
     return world;
+}
+
+bool ScriptBridge::must_stay(const Pet& pet) const {
+    return calm_ && (pet.motion == Motion::settled || pet.motion == Motion::walking);
 }
 
 void ScriptBridge::set_quiet(bool quiet) {
@@ -221,15 +289,22 @@ Result<void> ScriptBridge::apply(Engine& engine, const ScriptCommand& given) {
             made_.emplace(c.key, *id);
             made_key_of_.emplace(packed(*id), c.key);
             return {};
+        } else if constexpr (std::is_same_v<Command, command::Store> ||
+                             std::is_same_v<Command, command::Notify> ||
+                             std::is_same_v<Command, command::Hotkey>) {
+            wishes_.emplace_back(c);
+            return {};
         } else {
             const PetId pet = id_of(c.pet);
             const Pet* const found = engine.find(pet);
             if (found == nullptr) {
                 return {};
             }
-            constexpr bool sets_in_motion =
+            constexpr bool flies =
                 std::is_same_v<Command, command::Fling> || std::is_same_v<Command, command::Push>;
-            if (sets_in_motion && must_stay(*found)) {
+            // Who is in the air would walk off as soon as it stands.
+            constexpr bool walks = std::is_same_v<Command, command::WalkTo>;
+            if ((flies && must_stay(*found)) || (walks && calm_)) {
                 return {};
             }
             if constexpr (std::is_same_v<Command, command::Fling>) {
@@ -244,6 +319,16 @@ Result<void> ScriptBridge::apply(Engine& engine, const ScriptCommand& given) {
                 return engine.move_to(pet, c.position);
             } else if constexpr (std::is_same_v<Command, command::SetTag>) {
                 return engine.set_tag(pet, c.tag);
+            } else if constexpr (std::is_same_v<Command, command::WalkTo>) {
+                return engine.walk_to(pet, c.x, c.speed);
+            } else if constexpr (std::is_same_v<Command, command::Play>) {
+                return engine.play(pet, {c.animation, c.loop, c.fps});
+            } else if constexpr (std::is_same_v<Command, command::Say>) {
+                return engine.say(pet, c.text, c.seconds);
+            } else if constexpr (std::is_same_v<Command, command::SetScale>) {
+                return engine.set_scale(pet, c.scale);
+            } else if constexpr (std::is_same_v<Command, command::Face>) {
+                return engine.face(pet, c.left);
             } else {
                 static_assert(std::is_same_v<Command, command::Remove>);
                 return engine.remove(pet);

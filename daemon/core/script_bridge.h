@@ -9,10 +9,12 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace hyrax {
@@ -35,6 +37,8 @@ public:
     /// are logged, the first one of a frame and how many there were; a command for a pet that has
     /// gone meanwhile is dropped.
     void run(Engine& engine, const std::vector<Monitor>& monitors, Ticks now);
+    /// The last run: scripts that are not busy hear that the daemon ends.
+    void end(Engine& engine, const std::vector<Monitor>& monitors, Ticks now);
     /// While calm, no script sets a pet in motion that stands on the ground.
     void set_calm(bool calm) { calm_ = calm; }
     /// Scripts run on, but what moves or spawns pets is refused, with a warning for each verb.
@@ -50,13 +54,24 @@ public:
     /// When watch() wants to be called, at the latest [machine's clock].
     Ticks watch_due() const { return host_ ? host_->watch_due() : never; }
 
+    /// True if a loaded script has this permission: for nobody else anything has to be found out.
+    bool anybody_may(std::string_view permission) const;
+    /// What scripts with the permissions see from now on.
+    void see(std::optional<Vec2> cursor, std::vector<Rect> windows);
+    /// Told in the next run, which is due at once.
+    void tell(ScriptSetting setting);
+    void tell(PressedHotkey hotkey);
+    /// Commands of scripts that are not for the engine (Store, Notify, Hotkey), since the last
+    /// call.
+    std::vector<ScriptCommand> take_wishes() { return std::exchange(wishes_, {}); }
+
 private:
     PetKey key_of(PetId id) const;
     PetId id_of(PetKey key) const;
-    ScriptWorld snapshot(const Engine& engine, const std::vector<Monitor>& monitors, Ticks now)
-        const;
-    bool must_stay(const Pet& pet) const { return calm_ && pet.motion == Motion::settled; }
+    ScriptWorld snapshot(const Engine& engine, const std::vector<Monitor>& monitors, Ticks now);
+    bool must_stay(const Pet& pet) const;
     void queue_events(Engine& engine);
+    std::vector<ScriptEvent> take_queue();
     void use(Engine& engine, ScriptOutput output);
     void apply_commands(Engine& engine);
     Result<void> apply(Engine& engine, const ScriptCommand& command);
@@ -73,6 +88,12 @@ private:
     std::deque<ScriptEvent> events_;
     std::size_t dropped_events_ = 0;
     std::deque<ScriptCommand> commands_;
+    std::vector<std::string> permissions_;  // Of all scripts together.
+    std::optional<Vec2> cursor_;
+    std::vector<Rect> windows_;
+    std::vector<ScriptSetting> new_settings_;
+    std::vector<PressedHotkey> pressed_hotkeys_;
+    std::vector<ScriptCommand> wishes_;
     // Pets that scripts spawned, both ways; all others have keys made from their ids.
     std::unordered_map<PetKey, PetId> made_;
     std::unordered_map<PetKey, PetKey> made_key_of_;

@@ -22,6 +22,7 @@ struct ScriptLimits {
     std::size_t chunk = std::size_t{64} << 10U;    ///< Longest text that load() takes [bytes].
     std::int64_t load_units = 20'000'000;          ///< Work units of a main chunk, about 50 ms.
     std::int64_t callback_units = 2'000'000;       ///< Work units of any other call, about 5 ms.
+    std::int64_t unload_units = 200'000;           ///< Work units of all that "unload" calls.
     std::chrono::milliseconds load_time{1'000};    ///< Ends what the units undercount.
     std::chrono::milliseconds callback_time{250};  ///< The same for any other call.
     std::size_t pets = 64;                         ///< Own pets at one time.
@@ -32,10 +33,12 @@ struct ScriptLimits {
     double max_speed = 20'000.0;   ///< Velocities are shortened to this [px/s].
     std::size_t name = 64;         ///< Longest kind or tag [bytes].
     std::size_t log_lines_per_second = 50;
-    std::size_t log_burst = 100;  ///< Lines after a silence.
-    std::size_t log_line = 512;   ///< [bytes]
-    bool others_pets = true;      ///< May change pets of other owners.
-    std::uint64_t seed = 1;       ///< Of math.random and of random places.
+    std::size_t log_burst = 100;                  ///< Lines after a silence.
+    std::size_t log_line = 512;                   ///< [bytes]
+    std::size_t store = std::size_t{256} << 10U;  ///< What hyrax.store holds [bytes].
+    std::size_t speech = 200;                     ///< Longest text of say and notify [bytes].
+    std::chrono::seconds notice_pause{30};        ///< Between two notices.
+    std::uint64_t seed = 1;                       ///< Of math.random and of random places.
     /// Processor time of this thread or process; null: std::clock(), which Windows counts as time
     /// on the wall.
     std::chrono::nanoseconds (*processor_time)() = nullptr;

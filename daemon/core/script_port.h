@@ -7,13 +7,16 @@
 #include "daemon/core/engine.h"
 #include "daemon/core/event.h"
 #include "daemon/core/script_limits.h"
+#include "daemon/core/script_value.h"
 #include "physics/ticks.h"
 
-#include <compare>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -34,9 +37,23 @@ struct PetView {
     Vec2 position{};  ///< Top-left corner of the box, virtual desktop [px].
     Vec2 velocity{};  ///< [px/s]
     Size box{};
-    std::string state{};  ///< "fall", "idle" or "held".
+    std::string state{};  ///< "fall", "idle", "walk" or "held".
     bool faces_left = false;
+    double scale = 1.0;                ///< Its own, least_scale to most_scale.
     std::optional<Vec2> spawned_at{};  ///< Where reset() puts it [px]; none: not known.
+};
+
+/// The user has changed a setting of a script.
+struct ScriptSetting {
+    std::string script;
+    std::string key;
+    ScriptValue value;
+};
+
+/// As command::Hotkey named it.
+struct PressedHotkey {
+    std::string script;
+    std::uint64_t id = 0;
 };
 
 /// The world at one moment. A pet that is not listed is gone.
@@ -46,11 +63,19 @@ struct ScriptWorld {
     std::vector<Monitor> monitors;
     /// What spawn() can be asked for; empty: not known, the engine decides.
     std::vector<Kind> kinds{};
+    std::optional<Vec2> cursor{};  ///< Where a script may know it [px]; none: not known.
+    std::vector<Rect> windows{
+    };  ///< Of other programs, the topmost first, where a script may know.
+    std::vector<ScriptSetting> new_settings{};
+    std::vector<PressedHotkey> pressed_hotkeys{};
+    /// The daemon ends: scripts hear it in `unload`, and nothing afterwards.
+    bool ending = false;
 };
 
 struct ScriptEvent {
-    Event event;     ///< Its `pet` field means nothing here.
-    PetKey pet = 0;  ///< 0 where the event is about no pet.
+    Event event;       ///< Its ids of pets mean nothing here.
+    PetKey pet = 0;    ///< 0 where the event is about no pet.
+    PetKey other = 0;  ///< collide: whom it met.
 };
 
 namespace command {
@@ -83,6 +108,46 @@ struct SetTag {
 struct Remove {
     PetKey pet = 0;
 };
+struct WalkTo {
+    PetKey pet = 0;
+    double x = 0.0;
+    double speed = 0.0;  ///< [px/s]
+};
+struct Play {
+    PetKey pet = 0;
+    std::string animation;
+    std::optional<bool> loop;   ///< None: as the animation is made.
+    std::optional<double> fps;  ///< None: as its frames last.
+};
+struct Say {
+    PetKey pet = 0;
+    std::string text;      ///< Empty: the bubble goes.
+    double seconds = 0.0;  ///< How long it stays.
+};
+struct SetScale {
+    PetKey pet = 0;
+    double scale = 1.0;  ///< least_scale to most_scale
+};
+struct Face {
+    PetKey pet = 0;
+    bool left = false;
+};
+/// A script keeps a value under a key, or forgets it where the value is nothing.
+struct Store {
+    std::string script;
+    std::string key;
+    ScriptValue value;
+};
+struct Notify {
+    std::string script;
+    std::string text;
+};
+struct Hotkey {
+    std::string script;
+    std::uint64_t id = 0;  ///< Unique in its script until that is loaded again.
+    std::string keys;      ///< "ctrl+alt+h"; empty: the hotkey is no longer wanted.
+    std::string label;
+};
 }  // namespace command
 
 using ScriptCommand = std::variant<
@@ -93,7 +158,15 @@ using ScriptCommand = std::variant<
     command::Reset,
     command::MoveTo,
     command::SetTag,
-    command::Remove>;
+    command::Remove,
+    command::WalkTo,
+    command::Play,
+    command::Say,
+    command::SetScale,
+    command::Face,
+    command::Store,
+    command::Notify,
+    command::Hotkey>;
 
 enum class LogLevel { info, warning, error };
 
@@ -101,6 +174,14 @@ struct ScriptLog {
     LogLevel level = LogLevel::info;
     std::string script;
     std::string text;  ///< Errors begin with the script's name and the line.
+};
+
+/// A case of hyrax.test that has ended.
+struct ScriptTest {
+    std::string script;
+    std::string name;
+    std::string problem;   ///< Empty: it passed.
+    double seconds = 0.0;  ///< Of the pets' time.
 };
 
 /// What scripts did in one run.
@@ -111,13 +192,25 @@ struct ScriptOutput {
     Ticks next_wake = never;  ///< The next timer or tick.
     /// Places, in what was loaded, of the scripts that have been ended by their limits.
     std::vector<std::uint32_t> ended{};
+    std::vector<ScriptTest> tests{};
+    std::size_t open_tests = 0;  ///< Cases that have not ended yet.
 };
 
-/// A script's text under the name that messages use.
+/// What a script may be allowed beyond its own pets.
+inline constexpr std::array<std::string_view, 5> script_permissions{
+    "cursor", "hotkeys", "notify", "pets.others", "windows"
+};
+
+/// A script's text under the name that messages use, and what comes with it.
 struct ScriptSource {
     std::string name;  ///< "fountain.lua"
     std::string text;
-    auto operator<=>(const ScriptSource&) const = default;
+    std::string version{};                   ///< Of a plugin.
+    std::vector<std::string> permissions{};  ///< Of script_permissions.
+    ScriptTable config{};                    ///< The user's settings of it.
+    ScriptTable store{};                     ///< What it has kept so far.
+    bool testing = false;                    ///< It gets hyrax.test, and its cases run.
+    bool operator==(const ScriptSource&) const = default;
 };
 
 /// Runs scripts. A script that fails is reported in the log of the next output and never stops

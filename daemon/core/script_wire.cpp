@@ -56,7 +56,10 @@ public:
     void length(int value) { whole(std::max(value, 0)); }
     void count(std::uint32_t value, std::size_t /*most*/) { whole(value); }
     void flag(bool value) { whole(std::uint8_t{value}); }
-    void time(std::chrono::milliseconds value) { whole(std::int64_t{value.count()}); }
+    template <typename Number, typename Unit>
+    void time(std::chrono::duration<Number, Unit> value) {
+        whole(std::int64_t{value.count()});
+    }
     template <typename Enum>
     void choice(Enum value, Enum /*last*/) {
         whole(static_cast<std::uint8_t>(std::to_underlying(value)));
@@ -91,8 +94,16 @@ public:
             fields(*this, value);
         }
     }
+    void finite(const std::optional<Vec2>& value) { optional(value); }
+    void number(const std::optional<double>& value) { optional(value); }
+    void sorted(const ScriptTable& /*table*/) {}
+    void nested(const ScriptValue& value) {
+        ++depth_;
+        alternative(depth_ > deepest_value ? ScriptValue{}.data : value.data, {});
+        --depth_;
+    }
     template <typename... T>
-    void alternative(const std::variant<T...>& value) {
+    void alternative(const std::variant<T...>& value, const char* /*otherwise*/) {
         whole(static_cast<std::uint8_t>(value.index()));
         std::visit([this](const auto& which) { fields(*this, which); }, value);
     }
@@ -105,6 +116,7 @@ private:
 
     Bytes& bytes_;
     std::size_t begin_;
+    std::size_t depth_ = 0;
 };
 
 /// Reads fields until one is wrong; from then on nothing changes any more.
@@ -154,11 +166,12 @@ public:
         demand(byte <= 1, "a flag is neither 0 nor 1");
         value = byte == 1;
     }
-    void time(std::chrono::milliseconds& value) {
+    template <typename Number, typename Unit>
+    void time(std::chrono::duration<Number, Unit>& value) {
         std::int64_t count = 0;
         whole(count);
         demand(count >= 0 && count <= 1'000'000, "a time is out of range");
-        value = std::chrono::milliseconds(count);
+        value = std::chrono::duration<Number, Unit>(count);
     }
     template <typename Enum>
     void choice(Enum& value, Enum last) {
@@ -207,11 +220,43 @@ public:
             fields(*this, values.emplace_back());
         }
     }
+    void finite(std::optional<Vec2>& value) {
+        optional(value);
+        demand(
+            !value || (std::isfinite(value->x) && std::isfinite(value->y)), "a number is not finite"
+        );
+    }
+    void number(std::optional<double>& value) {
+        bool is_there = false;
+        flag(is_there);
+        if (is_there && !failed()) {
+            whole(value.emplace());
+        }
+    }
+    void nested(ScriptValue& value) {
+        ++values_;
+        ++depth_;
+        demand(values_ <= most_values, "there are too many values");
+        // Too deep, there can only be nothing.
+        const bool fits = depth_ <= deepest_value || (!rest_.empty() && rest_[0] == std::byte{0});
+        demand(fits, "a value lies too deep in others");
+        alternative(value.data, "there is no such value");
+        --depth_;
+    }
+    void sorted(const ScriptTable& table) {
+        const auto not_before = [](const ScriptField& a, const ScriptField& b) {
+            return a.name >= b.name;
+        };
+        demand(
+            std::ranges::adjacent_find(table, not_before) == table.end(),
+            "the names of a table are not in order"
+        );
+    }
     template <typename... T>
-    void alternative(std::variant<T...>& value) {
+    void alternative(std::variant<T...>& value, const char* otherwise) {
         std::uint8_t index = 0;
         whole(index);
-        demand(index < sizeof...(T), "there is no such command");
+        demand(index < sizeof...(T), otherwise);
         if (!failed()) {
             emplace(value, index, std::index_sequence_for<T...>{});
         }
@@ -249,6 +294,8 @@ private:
     }
 
     std::span<const std::byte> rest_;
+    std::size_t values_ = 0;
+    std::size_t depth_ = 0;
     const char* problem_ = nullptr;
 };
 
@@ -321,36 +368,6 @@ Result<Answer> decode_answer(std::span<const std::byte> message) {
     Answer answer;
     fields(reader, answer);
     return reader.finished(std::move(answer));
-}
-
-void MessageStream::add(std::span<const std::byte> bytes) {
-    bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(done_));
-    done_ = 0;
-    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
-}
-
-Result<std::optional<std::span<const std::byte>>> MessageStream::next() {
-    const auto rest = std::span<const std::byte>(bytes_).subspan(done_);
-    std::uint32_t length = 0;
-    if (rest.size() < sizeof length) {
-        return std::nullopt;
-    }
-    std::memcpy(&length, rest.data(), sizeof length);
-    if (length > longest_) {
-        return failure(fmt::format(
-            "broken message: its length is {} bytes, at most {} are allowed", length, longest_
-        ));
-    }
-    if (rest.size() - sizeof length < length) {
-        return std::nullopt;
-    }
-    done_ += sizeof length + length;
-    return rest.subspan(sizeof length, length);
-}
-
-void MessageStream::clear() {
-    bytes_.clear();
-    done_ = 0;
 }
 
 }  // namespace hyrax::wire

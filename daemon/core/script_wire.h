@@ -23,7 +23,7 @@ namespace hyrax::wire {
 
 using Bytes = std::vector<std::byte>;
 
-inline constexpr std::uint8_t version = 1;
+inline constexpr std::uint8_t version = 2;
 /// Length, version and type.
 inline constexpr std::size_t header_bytes = 6;
 /// Of what follows the length. A message of more is broken.
@@ -40,6 +40,14 @@ inline constexpr std::size_t most_monitors = 256;
 inline constexpr std::size_t most_events = 4'096;
 inline constexpr std::size_t most_commands = most_commands_in_all;
 inline constexpr std::size_t most_lines = 2'000;
+inline constexpr std::size_t most_animations = 1'000;
+inline constexpr std::size_t most_windows = 1'000;
+inline constexpr std::size_t most_told = 1'000;  ///< Changed settings, or pressed hotkeys.
+inline constexpr std::size_t most_permissions = 64;
+inline constexpr std::size_t most_tests = 10'000;
+inline constexpr std::size_t longest_text = std::size_t{1} << 20U;  ///< In a value [bytes].
+inline constexpr std::size_t most_values = 500'000;  ///< In a message, those within values too.
+inline constexpr std::size_t deepest_value = 32;     ///< Lists and tables within each other.
 
 /// So many sources follow, which replace all scripts.
 struct Load {
@@ -61,7 +69,8 @@ struct Answer {
 using ToHost = std::variant<Load, ScriptSource, Run>;
 
 /// Each appends one message. What is above a limit is cut: texts at their end, lists behind the
-/// last item that fits.
+/// last item that fits, values at the deepest place that may be. Too many values, or a message that
+/// is too long, are not: whoever hears it refuses it.
 void encode(Bytes& bytes, const Load& load);
 void encode(Bytes& bytes, const ScriptSource& source);
 void encode_run(

@@ -7,13 +7,33 @@
 
 #include <chrono>
 #include <concepts>
+#include <cstdint>
+#include <string>
 #include <type_traits>
+#include <variant>
 
 namespace hyrax::wire {
 
 /// T, or const T: the one to be read, or to be written.
 template <typename Given, typename T>
 concept Is = std::same_as<std::remove_const_t<Given>, T>;
+
+void fields(auto& wire, Is<bool> auto& flag) {
+    wire.flag(flag);
+}
+
+void fields(auto& wire, Is<double> auto& number) {
+    wire.finite(number);
+}
+
+void fields(auto& wire, Is<std::int64_t> auto& number) {
+    wire.whole(number);
+}
+
+/// In a value or in a list of names.
+void fields(auto& wire, Is<std::string> auto& text) {
+    wire.text(text, longest_text);
+}
 
 void fields(auto& wire, Is<Vec2> auto& v) {
     wire.number(v.x);
@@ -42,6 +62,7 @@ void fields(auto& wire, Is<Monitor> auto& monitor) {
 void fields(auto& wire, Is<Kind> auto& kind) {
     wire.text(kind.name, longest_name);
     fields(wire, kind.box);
+    wire.list(kind.animations, most_animations);
 }
 
 void fields(auto& wire, Is<PetView> auto& pet) {
@@ -54,7 +75,39 @@ void fields(auto& wire, Is<PetView> auto& pet) {
     fields(wire, pet.box);
     wire.text(pet.state, longest_name);
     wire.flag(pet.faces_left);
-    wire.optional(pet.spawned_at);
+    wire.finite(pet.scale);
+    wire.finite(pet.spawned_at);
+}
+
+void fields(auto& /*wire*/, Is<std::monostate> auto& /*nothing*/) {}
+
+void fields(auto& wire, Is<ScriptValue> auto& value) {
+    wire.nested(value);
+}
+
+void fields(auto& wire, Is<ScriptValue::List> auto& list) {
+    wire.list(list, most_values);
+}
+
+void fields(auto& wire, Is<ScriptField> auto& field) {
+    wire.text(field.name, longest_text);
+    wire.nested(field.value);
+}
+
+void fields(auto& wire, Is<ScriptTable> auto& table) {
+    wire.list(table, most_values);
+    wire.sorted(table);
+}
+
+void fields(auto& wire, Is<ScriptSetting> auto& setting) {
+    wire.text(setting.script, longest_name);
+    wire.text(setting.key, longest_name);
+    wire.nested(setting.value);
+}
+
+void fields(auto& wire, Is<PressedHotkey> auto& pressed) {
+    wire.text(pressed.script, longest_name);
+    wire.whole(pressed.id);
 }
 
 void fields(auto& wire, Is<ScriptWorld> auto& world) {
@@ -62,9 +115,14 @@ void fields(auto& wire, Is<ScriptWorld> auto& world) {
     wire.list(world.pets, most_pets);
     wire.list(world.monitors, most_monitors);
     wire.list(world.kinds, most_kinds);
+    wire.finite(world.cursor);
+    wire.list(world.windows, most_windows);
+    wire.list(world.new_settings, most_told);
+    wire.list(world.pressed_hotkeys, most_told);
+    wire.flag(world.ending);
 }
 
-/// Without the pet's id, which means nothing outside the engine.
+/// Without the pets' ids, which mean nothing outside the engine.
 void fields(auto& wire, Is<ScriptEvent> auto& event) {
     wire.choice(event.event.kind, last_event_kind);
     wire.choice(event.event.side, Side::bottom);
@@ -73,6 +131,7 @@ void fields(auto& wire, Is<ScriptEvent> auto& event) {
     wire.finite(event.event.velocity);
     wire.text(event.event.tag, longest_name);
     wire.whole(event.pet);
+    wire.whole(event.other);
 }
 
 void fields(auto& wire, Is<SpawnOptions> auto& options) {
@@ -81,6 +140,8 @@ void fields(auto& wire, Is<SpawnOptions> auto& options) {
     fields(wire, options.velocity);
     wire.text(options.owner, longest_name);
     wire.text(options.tag, longest_name);
+    wire.number(options.scale);
+    wire.number(options.opacity);
 }
 
 void fields(auto& wire, Is<command::Spawn> auto& spawn) {
@@ -120,8 +181,55 @@ void fields(auto& wire, Is<command::Remove> auto& remove) {
     wire.whole(remove.pet);
 }
 
+void fields(auto& wire, Is<command::WalkTo> auto& walk) {
+    wire.whole(walk.pet);
+    wire.number(walk.x);
+    wire.number(walk.speed);
+}
+
+void fields(auto& wire, Is<command::Play> auto& play) {
+    wire.whole(play.pet);
+    wire.text(play.animation, longest_name);
+    wire.optional(play.loop);
+    wire.number(play.fps);
+}
+
+void fields(auto& wire, Is<command::Say> auto& say) {
+    wire.whole(say.pet);
+    wire.text(say.text, longest_line);
+    wire.number(say.seconds);
+}
+
+void fields(auto& wire, Is<command::SetScale> auto& set) {
+    wire.whole(set.pet);
+    wire.number(set.scale);
+}
+
+void fields(auto& wire, Is<command::Face> auto& face) {
+    wire.whole(face.pet);
+    wire.flag(face.left);
+}
+
+void fields(auto& wire, Is<command::Store> auto& store) {
+    wire.text(store.script, longest_name);
+    wire.text(store.key, longest_name);
+    wire.nested(store.value);
+}
+
+void fields(auto& wire, Is<command::Notify> auto& notify) {
+    wire.text(notify.script, longest_name);
+    wire.line(notify.text, longest_line);
+}
+
+void fields(auto& wire, Is<command::Hotkey> auto& hotkey) {
+    wire.text(hotkey.script, longest_name);
+    wire.whole(hotkey.id);
+    wire.text(hotkey.keys, longest_name);
+    wire.text(hotkey.label, longest_line);
+}
+
 void fields(auto& wire, Is<ScriptCommand> auto& command) {
-    wire.alternative(command);
+    wire.alternative(command, "there is no such command");
 }
 
 void fields(auto& wire, Is<ScriptLog> auto& log) {
@@ -134,12 +242,21 @@ void fields(auto& wire, Is<std::uint32_t> auto& number) {
     wire.whole(number);
 }
 
+void fields(auto& wire, Is<ScriptTest> auto& test) {
+    wire.line(test.script, longest_name);
+    wire.line(test.name, longest_line);
+    wire.line(test.problem, longest_line);
+    wire.finite(test.seconds);
+}
+
 void fields(auto& wire, Is<ScriptOutput> auto& output) {
     wire.list(output.commands, most_commands);
     wire.list(output.log, most_lines);
     wire.events(output.listening);
     wire.whole(output.next_wake);
     wire.list(output.ended, most_scripts);
+    wire.list(output.tests, most_tests);
+    wire.whole(output.open_tests);
 }
 
 /// Without what only the other process can know.
@@ -150,6 +267,7 @@ void fields(auto& wire, Is<ScriptLimits> auto& limits) {
     wire.positive(limits.chunk);
     wire.positive(limits.load_units);
     wire.positive(limits.callback_units);
+    wire.positive(limits.unload_units);
     wire.time(limits.load_time);
     wire.time(limits.callback_time);
     wire.positive(limits.pets);
@@ -162,7 +280,9 @@ void fields(auto& wire, Is<ScriptLimits> auto& limits) {
     wire.positive(limits.log_lines_per_second);
     wire.positive(limits.log_burst);
     wire.positive(limits.log_line);
-    wire.flag(limits.others_pets);
+    wire.positive(limits.store);
+    wire.positive(limits.speech);
+    wire.time(limits.notice_pause);
     wire.whole(limits.seed);
 }
 
@@ -174,6 +294,11 @@ void fields(auto& wire, Is<Load> auto& load) {
 void fields(auto& wire, Is<ScriptSource> auto& source) {
     wire.text(source.name, longest_name);
     wire.text(source.text, longest_source);
+    wire.text(source.version, longest_name);
+    wire.list(source.permissions, most_permissions);
+    fields(wire, source.config);
+    fields(wire, source.store);
+    wire.flag(source.testing);
 }
 
 void fields(auto& wire, Is<Run> auto& run) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/core/stage.h"
 
+#include "daemon/core/playing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -68,19 +70,47 @@ std::uint8_t opacity_of(double share) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(share, least_opacity, 1.0) * 255.0));
 }
 
+struct ShownSince {
+    Shown shown;
+    Ticks since;  // From when on its times count.
+};
+
+ShownSince shown_now(const SpriteSet& set, const Pet& pet, const Scene& scene) {
+    const Ticks now = std::min(scene.now, pet.frozen_at);
+    const bool calm = scene.calm && pet.motion == Motion::settled;
+    if (pet.playing && !calm) {
+        const auto found = set.animations.find(pet.playing->animation);
+        const Ticks elapsed = std::max<Ticks>(0, now - pet.playing->since);
+        if (found != set.animations.end()) {
+            if (const auto shown = shown_of(*pet.playing, found->second, elapsed)) {
+                return {*shown, pet.playing->since};
+            }
+        }
+    }
+    const Ticks elapsed = std::max<Ticks>(0, now - pet.since);
+    return {
+        calm ? calm_pose(set, elapsed, scene.drowsy_after)
+             : pose(set, pet.motion, elapsed, scene.drowsy_after),
+        pet.since
+    };
+}
+
 }  // namespace
 
 std::vector<Kind> kinds_of(const std::vector<SpriteSet>& sets) {
     std::vector<Kind> kinds;
     for (const SpriteSet& set : sets) {
         const int side = std::max(set.cell.width, set.cell.height);
-        kinds.push_back({
+        Kind& kind = kinds.emplace_back(Kind{
             .name = set.name,
             .box = {set.box.width, set.box.height},
             .scale = set.scale,
             .whole_scale = set.filter == Filter::nearest,
             .largest_scale = std::clamp(2048.0 / side, 1.0, 8.0),
         });
+        for (const auto& [name, animation] : set.animations) {
+            kind.animations.push_back(name);
+        }
     }
     return kinds;
 }
@@ -91,6 +121,8 @@ Shown pose(const SpriteSet& set, Motion motion, Ticks elapsed, Ticks drowsy_afte
             return shown_at(set.animation("fall"), elapsed);
         case Motion::held:
             return shown_at(set.animation("held"), elapsed);
+        case Motion::walking:
+            return shown_at(set.animation("walk"), elapsed);
         case Motion::settled:
             return settled_pose(set, elapsed, drowsy_after);
     }
@@ -105,10 +137,7 @@ Staged staged(
     atlas.begin_frame();
     engine.for_each([&](PetId id, const Pet& pet) {
         const SpriteSet& set = sets[pet.kind];
-        const Ticks elapsed = std::max<Ticks>(0, std::min(scene.now, pet.frozen_at) - pet.since);
-        const bool calm = scene.calm && pet.motion == Motion::settled;
-        const Shown shown = calm ? calm_pose(set, elapsed, scene.drowsy_after)
-                                 : pose(set, pet.motion, elapsed, scene.drowsy_after);
+        const auto [shown, since] = shown_now(set, pet, scene);
         const Size size = scaled(set.cell, pet.drawn_scale);
         const CellPicture picture = atlas.cell(set, pet.kind, shown.cell, pet.faces_left, size);
         result.frame.sprites.push_back({
@@ -119,7 +148,11 @@ Staged staged(
             .opacity = opacity_of(scene.opacity * pet.opacity),
         });
         if (shown.until != never && !pet.frozen()) {
-            result.next_change = std::min(result.next_change, pet.since + shown.until);
+            result.next_change = std::min(result.next_change, since + shown.until);
+        }
+        if (pet.speech && scene.now < pet.speech->until) {
+            result.speakers.push_back(id);
+            result.next_change = std::min(result.next_change, pet.speech->until);
         }
     });
     return result;

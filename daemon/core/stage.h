@@ -21,7 +21,8 @@ Shown pose(const SpriteSet& set, Motion motion, Ticks elapsed, Ticks drowsy_afte
 
 struct Staged {
     Frame frame;
-    Ticks next_change = never;  ///< When the next animation frame begins, if nobody moves.
+    Ticks next_change = never;      ///< When the next animation frame begins, if nobody moves.
+    std::vector<PetId> speakers{};  ///< Those with a bubble, in drawing order.
 };
 
 /// When pets are looked at, and what they look like.

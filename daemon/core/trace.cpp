@@ -16,6 +16,8 @@ const char* motion_name(Motion motion) {
             return "settled";
         case Motion::held:
             return "held";
+        case Motion::walking:
+            return "walking";
     }
     std::unreachable();
 }

@@ -2,6 +2,7 @@
 #include "daemon/headless/headless_desktop.h"
 
 #include "daemon/core/blit.h"
+#include "daemon/headless/memory_overlay.h"
 
 #include <algorithm>
 #include <iterator>
@@ -78,7 +79,7 @@ Image picture(const Frame& frame, const std::vector<Monitor>& monitors) {
         bounds = united(bounds, monitor.bounds);
     }
     Image image(Size{bounds.width, bounds.height});
-    compose(PixelView(image), {bounds.x, bounds.y}, bounds, frame);
+    compose(PixelView(image), {bounds.x, bounds.y}, bounds, flattened(frame));
     return image;
 }
 

@@ -20,7 +20,16 @@ std::vector<Rect> places_of(const Frame& frame) {
 
 }  // namespace
 
+Frame flattened(const Frame& frame) {
+    Frame flat{.sprites = frame.sprites, .kept_free = frame.kept_free};
+    flat.sprites.insert(flat.sprites.end(), frame.bubbles.begin(), frame.bubbles.end());
+    return flat;
+}
+
 void MemoryOverlay::present(const Frame& frame, std::span<const Monitor> monitors, Ticks now) {
+    if (!frame.bubbles.empty()) {
+        return present(flattened(frame), monitors, now);
+    }
     if (frame == frame_ && now < due()) {
         return;
     }

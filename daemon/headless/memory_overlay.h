@@ -12,6 +12,9 @@
 
 namespace hyrax {
 
+/// The frame with its bubbles as its last sprites: for where nobody clicks.
+Frame flattened(const Frame& frame);
+
 /// Does for a frame all that the windows' overlay does, but for the system's own part.
 class MemoryOverlay {
 public:
@@ -24,6 +27,7 @@ public:
 
     /// What stands there (virtual desktop); transparent outside all panes.
     Pixel at(Point point) const;
+    /// As presented, with its bubbles among the sprites.
     const Frame& frame() const { return frame_; }
     const OverlayCounters& counters() const { return counters_; }
 

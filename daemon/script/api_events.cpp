@@ -30,6 +30,10 @@ int subscription_cancel(lua_State* lua, Script& script) {
             luaL_typename(lua, 1)
         );
     }
+    const Handler* const handler = script.schedule.handler(handle->id);
+    if (handler != nullptr && handler->topic == Topic::hotkey) {
+        script.command(lua, command::Hotkey{script.name(), handle->id, "", ""});
+    }
     if (const auto function = script.schedule.cancel(handle->id)) {
         script.release(*function);
     }
@@ -42,7 +46,7 @@ int on(lua_State* lua, Script& script) {
     return add_handler(lua, script, topic, 0, 2);
 }
 
-// What an event tells beside the pet.
+// What an event tells beside the pets.
 int push_details(lua_State* lua, const Event& event) {
     switch (event.kind) {
         case EventKind::throw_pet:
@@ -58,6 +62,9 @@ int push_details(lua_State* lua, const Event& event) {
             return 1;
         case EventKind::click:
             lua_pushstring(lua, button_names[std::to_underlying(event.button)]);
+            return 1;
+        case EventKind::collide:
+            lua_pushnumber(lua, event.speed);
             return 1;
         case EventKind::spawn:
         case EventKind::remove:
@@ -122,17 +129,32 @@ int add_handler(lua_State* lua, Script& script, Topic topic, PetKey pet, int fun
     return 1;
 }
 
-int push_event(lua_State* lua, const ScriptEvent& event) {
+int push_event(lua_State* lua, const ScriptEvent& event, PetKey subject) {
     if (!is_about_pets(topic_of(event.event.kind))) {
         return push_details(lua, event.event);
     }
-    const PetView* const pet = Script::of(lua).view.find(event.pet);
-    push_pet(lua, event.pet, pet == nullptr ? event.event.tag : pet->tag);
-    return 1 + push_details(lua, event.event);
+    const auto push = [lua, &event](PetKey key) {
+        const PetView* const pet = Script::of(lua).view.find(key);
+        push_pet(lua, key, pet == nullptr ? event.event.tag : pet->tag);
+    };
+    if (event.other == 0) {
+        push(event.pet);
+        return 1 + push_details(lua, event.event);
+    }
+    const bool swapped = subject == event.other;
+    push(swapped ? event.other : event.pet);
+    push(swapped ? event.pet : event.other);
+    return 2 + push_details(lua, event.event);
 }
 
-int push_outcome(lua_State* lua, const ScriptEvent& event) {
-    const int details = push_details(lua, event.event);
+int push_outcome(lua_State* lua, const ScriptEvent& event, PetKey subject) {
+    int details = 0;
+    if (event.other != 0) {
+        const PetKey other = subject == event.other ? event.pet : event.other;
+        push_pet(lua, other, Script::of(lua).view.find(other)->tag);
+        details = 1;
+    }
+    details += push_details(lua, event.event);
     if (details == 0) {
         lua_pushboolean(lua, 1);
         return 1;

@@ -67,6 +67,11 @@ void open_api(lua_State* lua) {
     open_time_api(lua);
     open_world_api(lua);
     open_log_api(lua);
+    open_store_api(lua);
+    open_permitted_api(lua);
+    if (Script::of(lua).tests.enabled()) {
+        open_test_api(lua);
+    }
     // Here messages find the names of functions, and require finds the module.
     luaL_getsubtable(lua, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
     lua_pushvalue(lua, -2);

@@ -69,6 +69,8 @@ void push_field(lua_State* lua, const PetView& pet, std::string_view field) {
         push_string(lua, pet.owner);
     } else if (field == "state") {
         push_string(lua, pet.state);
+    } else if (field == "scale") {
+        lua_pushnumber(lua, pet.scale);
     } else {
         push_string(lua, pet.faces_left ? "left" : "right");
     }
@@ -107,18 +109,30 @@ int pet_index(lua_State* lua, Script& script) {
     return 1;
 }
 
+// The new value is the third argument.
+void set_tag(lua_State* lua, Script& script, PetHandle& handle) {
+    std::string tag = text_argument(lua, 3, "pet.tag", std::min(script.limits.name, longest_tag));
+    writable_pet(lua, script, handle.key, "pet.tag");
+    script.command(lua, command::SetTag{handle.key, tag});
+    remember_tag(handle, tag);
+    script.view.edit(handle.key)->tag = std::move(tag);
+}
+
 int pet_newindex(lua_State* lua, Script& script) {
     PetHandle& handle = handle_argument(lua, 1, "pet");
     const std::string_view field = lua_type(lua, 2) == LUA_TSTRING
                                        ? std::string_view(lua_tostring(lua, 2), lua_rawlen(lua, 2))
                                        : std::string_view();
     if (field == "tag") {
-        std::string tag =
-            text_argument(lua, 3, "pet.tag", std::min(script.limits.name, longest_tag));
-        writable_pet(lua, script, handle.key, "pet.tag");
-        script.command(lua, command::SetTag{handle.key, tag});
-        remember_tag(handle, tag);
-        script.view.edit(handle.key)->tag = std::move(tag);
+        set_tag(lua, script, handle);
+        return 0;
+    }
+    if (field == "scale") {
+        set_scale(lua, script, handle.key);
+        return 0;
+    }
+    if (field == "facing") {
+        set_facing(lua, script, handle.key);
         return 0;
     }
     if (std::ranges::find(pet_fields, field) == pet_fields.end()) {
@@ -223,8 +237,13 @@ const PetView& writable_pet(lua_State* lua, Script& script, PetKey key, const ch
     const PetView* const pet = script.view.find(key);
     if (pet == nullptr) {
         luaL_error(lua, "%s: this pet is gone (pet.valid tells)", what);
-    } else if (!script.limits.others_pets && pet->owner != script.name()) {
-        luaL_error(lua, "%s: this pet belongs to '%s'", what, pet->owner.c_str());
+    } else if (pet->owner != script.name() && !script.may("pets.others")) {
+        luaL_error(
+            lua,
+            "%s: this pet belongs to '%s', which needs the permission \"pets.others\"",
+            what,
+            pet->owner.c_str()
+        );
     }
     return *pet;
 }
@@ -284,10 +303,13 @@ void open_pet_api(lua_State* lua) {
         {"fling", api<pet_fling>},
         {"move_to", api<pet_move_to>},
         {"on", api<pet_on>},
+        {"play", api<pet_play>},
         {"push", api<pet_push>},
         {"remove", api<pet_remove>},
         {"reset", api<pet_reset>},
+        {"say", api<pet_say>},
         {"stop", api<pet_stop>},
+        {"walk_to", api<pet_walk_to>},
         {nullptr, nullptr},
     };
     constexpr luaL_Reg metamethods[] = {

@@ -50,7 +50,7 @@ Filter filter_argument(lua_State* lua, Script& script, int index, const char* fu
     return {
         .kind = options.text("kind", script.limits.name),
         .tag = options.text("tag", script.limits.name),
-        .all = options.flag("all"),
+        .all = options.flag("all").value_or(false),
         .near = near_option(lua, options, function),
     };
 }
@@ -81,7 +81,7 @@ std::vector<PetKey> keys_of(Script& script, const Filter& filter) {
 // What a verb for all may reach.
 Filter everybody(const Script& script) {
     Filter filter;
-    filter.all = script.limits.others_pets;
+    filter.all = script.may("pets.others");
     return filter;
 }
 
@@ -122,10 +122,11 @@ int spawn(lua_State* lua, Script& script) {
         .velocity = {options.number("vx").value_or(0.0), options.number("vy").value_or(0.0)},
         .owner = script.name(),
         .tag = options.text("tag", script.limits.name).value_or(""),
+        .scale = options.number("scale", least_scale, most_scale).value_or(1.0),
     };
     const auto x = options.number("x");
     const auto y = options.number("y");
-    const Size box = box_of(lua, script, wish.kind);
+    const Size box = scaled(box_of(lua, script, wish.kind), wish.scale);
     if (keys_of(script, {}).size() >= script.limits.pets) {
         return luaL_error(
             lua,
@@ -148,6 +149,7 @@ int spawn(lua_State* lua, Script& script) {
         .box = box,
         .state = "fall",
         .faces_left = wish.velocity.x < 0.0,
+        .scale = wish.scale,
         .spawned_at = *wish.at,
     });
     push_pet(lua, key, wish.tag);

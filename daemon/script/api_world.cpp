@@ -36,6 +36,7 @@ sol::table monitors(sol::this_state lua) {
         sol::table entry = rect_table(state, monitor.bounds);
         entry["work"] = rect_table(state, monitor.work);
         entry["primary"] = monitor.primary;
+        entry["scale"] = monitor.scale;
         list.add(entry);
     }
     return list;
@@ -46,6 +47,10 @@ double now(sol::this_state lua) {
 }
 
 }  // namespace
+
+void push_rect(lua_State* lua, const Rect& rect) {
+    rect_table(lua, rect).push();
+}
 
 void open_world_api(lua_State* lua) {
     sol::stack_table hyrax(lua, -1);

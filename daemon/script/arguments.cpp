@@ -18,7 +18,15 @@ constexpr double longest_wait = 365.0 * 24.0 * 3600.0;  // [s]
 // Longer names are not repeated in a message.
 constexpr std::size_t longest_name = 64;
 
-[[noreturn]] void raise(lua_State* lua, const std::string& message) {
+[[noreturn]] void wrong_type(lua_State* lua, int index, const char* what, const char* expected) {
+    raise_error(
+        lua, fmt::format("{} must be {}, got {}", what, expected, luaL_typename(lua, index))
+    );
+}
+
+}  // namespace
+
+void raise_error(lua_State* lua, const std::string& message) {
     luaL_where(lua, 1);
     lua_pushlstring(lua, message.data(), message.size());
     lua_concat(lua, 2);
@@ -26,27 +34,46 @@ constexpr std::size_t longest_name = 64;
     std::unreachable();
 }
 
-[[noreturn]] void wrong_type(lua_State* lua, int index, const char* what, const char* expected) {
-    raise(lua, fmt::format("{} must be {}, got {}", what, expected, luaL_typename(lua, index)));
-}
-
-}  // namespace
-
 double number_argument(lua_State* lua, int index, const char* what) {
     if (lua_type(lua, index) != LUA_TNUMBER) {
         wrong_type(lua, index, what, "a number");
     }
     const double number = lua_tonumber(lua, index);
     if (!std::isfinite(number)) {
-        raise(lua, fmt::format("{} must be a finite number, got {}", what, number));
+        raise_error(lua, fmt::format("{} must be a finite number, got {}", what, number));
     }
     return number;
+}
+
+double number_argument(lua_State* lua, int index, const char* what, double lowest, double highest) {
+    const double number = number_argument(lua, index, what);
+    if (number < lowest || number > highest) {
+        raise_error(
+            lua,
+            fmt::format("{} must be from {:g} to {:g}, got {:g}", what, lowest, highest, number)
+        );
+    }
+    return number;
+}
+
+std::string_view choice_argument(
+    lua_State* lua, int index, const char* what, std::span<const std::string_view> choices
+) {
+    if (lua_type(lua, index) != LUA_TSTRING) {
+        wrong_type(lua, index, what, "a string");
+    }
+    const std::string_view name(lua_tostring(lua, index), lua_rawlen(lua, index));
+    const auto found = std::ranges::find(choices, name);
+    if (found == choices.end()) {
+        unknown_name(lua, what, "choice", name, choices);
+    }
+    return *found;
 }
 
 Ticks seconds_argument(lua_State* lua, int index, const char* what) {
     const double seconds = number_argument(lua, index, what);
     if (seconds < 0.0 || seconds > longest_wait) {
-        raise(
+        raise_error(
             lua, fmt::format("{} must be from 0 to {} seconds, got {}", what, longest_wait, seconds)
         );
     }
@@ -59,12 +86,12 @@ std::string text_argument(lua_State* lua, int index, const char* what, std::size
     }
     const std::string_view text(lua_tostring(lua, index), lua_rawlen(lua, index));
     if (text.size() > longest) {
-        raise(
+        raise_error(
             lua, fmt::format("{} must have at most {} bytes, got {}", what, longest, text.size())
         );
     }
     if (!is_plain_text(text)) {
-        raise(lua, fmt::format("{} must be UTF-8 without control characters", what));
+        raise_error(lua, fmt::format("{} must be UTF-8 without control characters", what));
     }
     return std::string(text);
 }
@@ -89,7 +116,7 @@ void unknown_name(
     } else if (!known.empty()) {
         message += fmt::format(" (there are: {})", fmt::join(known, ", "));
     }
-    raise(lua, message);
+    raise_error(lua, message);
 }
 
 Vec2 shortened(Vec2 velocity, double longest) {
@@ -117,7 +144,7 @@ Options::Options(
     while (lua_next(lua, index) != 0) {
         lua_pop(lua, 1);
         if (lua_type(lua, -1) != LUA_TSTRING) {
-            raise(
+            raise_error(
                 lua,
                 fmt::format(
                     "{}: options have names, got a {} as a key", function, luaL_typename(lua, -1)
@@ -156,6 +183,15 @@ std::optional<double> Options::number(const char* name) const {
     return number;
 }
 
+std::optional<double> Options::number(const char* name, double lowest, double highest) const {
+    if (!push(name)) {
+        return std::nullopt;
+    }
+    const double number = number_argument(lua_, -1, what(name).c_str(), lowest, highest);
+    lua_pop(lua_, 1);
+    return number;
+}
+
 std::optional<std::string> Options::text(const char* name, std::size_t longest) const {
     if (!push(name)) {
         return std::nullopt;
@@ -165,9 +201,9 @@ std::optional<std::string> Options::text(const char* name, std::size_t longest) 
     return text;
 }
 
-bool Options::flag(const char* name) const {
+std::optional<bool> Options::flag(const char* name) const {
     if (!push(name)) {
-        return false;
+        return std::nullopt;
     }
     if (lua_type(lua_, -1) != LUA_TBOOLEAN) {
         wrong_type(lua_, -1, what(name).c_str(), "true or false");

@@ -16,8 +16,17 @@
 
 namespace hyrax::script {
 
+/// Raises an error that begins with the place of the script's call.
+[[noreturn]] void raise_error(lua_State* lua, const std::string& message);
+
 /// A finite number. `what` is "pet:fling: vx".
 double number_argument(lua_State* lua, int index, const char* what);
+/// The same within two bounds, both included.
+double number_argument(lua_State* lua, int index, const char* what, double lowest, double highest);
+/// One of the names.
+std::string_view choice_argument(
+    lua_State* lua, int index, const char* what, std::span<const std::string_view> choices
+);
 /// Seconds from 0 to a year, as ticks.
 Ticks seconds_argument(lua_State* lua, int index, const char* what);
 /// UTF-8 without control characters, at most `longest` bytes.
@@ -46,7 +55,8 @@ public:
 
     std::optional<double> number(const char* name) const;
     std::optional<std::string> text(const char* name, std::size_t longest) const;
-    bool flag(const char* name) const;
+    std::optional<double> number(const char* name, double lowest, double highest) const;
+    std::optional<bool> flag(const char* name) const;
     /// Pushes the value; false (and nothing pushed) if there is none.
     bool push(const char* name) const;
 

@@ -69,6 +69,10 @@ std::optional<int> Schedule::cancel(std::uint64_t id) {
     return std::nullopt;
 }
 
+void Schedule::drop(Topic topic) {
+    std::erase_if(handlers_, [topic](const Handler& handler) { return handler.topic == topic; });
+}
+
 std::optional<Waiter> Schedule::take_waiter(std::uint64_t id) {
     return take(waiters_, std::ranges::find(waiters_, id, &Waiter::id));
 }

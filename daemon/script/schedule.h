@@ -26,14 +26,30 @@ enum class Topic : std::uint8_t {
     bounce,
     land,
     click,
+    collide,
     monitors,
     ready,
-    tick
+    tick,
+    config,
+    unload,
+    hotkey  ///< Heard through hyrax.hotkey alone.
 };
 
 /// As scripts spell them, in the order of Topic.
-inline constexpr std::array<std::string_view, 10> topic_names{
-    "spawn", "remove", "grab", "throw", "bounce", "land", "click", "monitors", "ready", "tick"
+inline constexpr std::array<std::string_view, 13> topic_names{
+    "spawn",
+    "remove",
+    "grab",
+    "throw",
+    "bounce",
+    "land",
+    "click",
+    "collide",
+    "monitors",
+    "ready",
+    "tick",
+    "config",
+    "unload"
 };
 
 constexpr Topic topic_of(EventKind kind) {
@@ -55,6 +71,10 @@ struct Handler {
     Topic topic = Topic::ready;
     PetKey pet = 0;  ///< 0: any.
     int function = 0;
+    /// True if an event of this topic that is about these two pets, or none, is meant for it.
+    bool hears(Topic what, PetKey first, PetKey second) const {
+        return topic == what && (pet == 0 || pet == first || pet == second);
+    }
 };
 
 struct Timer {
@@ -87,6 +107,8 @@ public:
 
     /// The function of the handler or timer that was cancelled, if it was still there.
     std::optional<int> cancel(std::uint64_t id);
+    /// Ends all handlers of a topic; their functions stay kept.
+    void drop(Topic topic);
     std::optional<Waiter> take_waiter(std::uint64_t id);
     bool is_waiting(const lua_State* thread) const;
 

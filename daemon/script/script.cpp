@@ -20,6 +20,9 @@ namespace {
 // never fills.
 constexpr std::int64_t coroutine_units = Meter::period;
 
+// What errors belong to while no case of hyrax.test runs.
+constexpr char outside_of_cases[] = "outside of cases";
+
 constexpr std::uint64_t splitmix(std::uint64_t& state) {
     state += 0x9E3779B97F4A7C15ULL;
     std::uint64_t z = state;
@@ -52,10 +55,13 @@ std::string message_of(lua_State* lua, int index) {
 
 }  // namespace
 
-Script::Script(std::string name, const ScriptLimits& given)
+Script::Script(const ScriptSource& source, const ScriptLimits& given)
     : limits(given),
       meter(given),
-      journal(std::move(name), given),
+      journal(source.name, given),
+      belongings(source),
+      tests(source.testing),
+      permissions_(source.permissions),
       random_(given.seed ^ hash_of(journal.script())) {
     lua_ = lua_newstate(Meter::allocate, &meter);
     if (lua_ == nullptr) {
@@ -76,6 +82,10 @@ void Script::close() {
 
 double Script::random_unit() {
     return static_cast<double>(splitmix(random_) >> 11U) * 0x1p-53;
+}
+
+bool Script::may(std::string_view permission) const {
+    return std::ranges::find(permissions_, permission) != permissions_.end();
 }
 
 void Script::command(lua_State* lua, ScriptCommand command) {
@@ -127,6 +137,7 @@ void Script::start(lua_State* lua, int arguments) {
     meter.charge(lua, coroutine_units);
     lua_State* const thread = lua_newthread(lua);
     const int anchor = keep(lua);
+    tests.runs_in(thread);
     if (lua_checkstack(thread, arguments + 1) == 0) {
         luaL_error(lua, "too many arguments");
     }
@@ -158,6 +169,9 @@ void Script::resume(HostThread thread, lua_State* from, int arguments) {
         report(thread.lua, status);
         lua_closethread(thread.lua, from);
     }
+    if (tests.is_running(thread.lua)) {
+        end_test();
+    }
     luaL_unref(from, LUA_REGISTRYINDEX, thread.anchor);
 }
 
@@ -165,6 +179,9 @@ void Script::report(lua_State* thread, int status) {
     // Lua catches every C++ exception, and calls those that are not its own -1.
     const std::string message =
         status < 0 ? "internal error of the script host" : message_of(thread, -1);
+    if (tests.enabled() && !tests.fail(message)) {
+        run_->output.tests.push_back({name(), outside_of_cases, message, 0.0});
+    }
     if (journal.error(message, call_trace(thread, 0))) {
         paused_ = true;
     }
@@ -174,6 +191,9 @@ void Script::report(lua_State* thread, int status) {
 }
 
 int Script::park(lua_State* lua, Waiter waiter) {
+    if (unloading_) {
+        return luaL_error(lua, "cannot wait while the script is unloaded");
+    }
     if (lua_isyieldable(lua) == 0) {
         return luaL_error(
             lua,

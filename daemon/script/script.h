@@ -3,10 +3,12 @@
 // functions of the API (api_*.cpp) and of the sandbox find it from their lua_State.
 #pragma once
 
+#include "daemon/script/belongings.h"
 #include "daemon/script/journal.h"
 #include "daemon/script/meter.h"
 #include "daemon/script/schedule.h"
 #include "daemon/script/script_host.h"
+#include "daemon/script/test_cases.h"
 #include "daemon/script/world_view.h"
 
 #include <lua.h>
@@ -15,6 +17,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hyrax::script {
@@ -28,7 +31,8 @@ struct Run {
 
 class Script {
 public:
-    Script(std::string name, const ScriptLimits& limits);
+    /// The text of the source is not kept.
+    Script(const ScriptSource& source, const ScriptLimits& limits);
     Script(const Script&) = delete;
     Script& operator=(const Script&) = delete;
     ~Script();
@@ -43,9 +47,14 @@ public:
     void run_main_chunk(const std::string& source);
     void ready();
     void deliver(const ScriptEvent& event);
+    void change_setting(const ScriptSetting& setting);
+    void press_hotkey(std::uint64_t id);
     /// Timers, waits and ticks up to the run's time.
     void run_due();
     void end();
+    /// The last that it hears; nothing of it runs afterwards. `reason`: "reload", "disable" or
+    /// "exit".
+    void unload(const char* reason);
     /// False once it was ended or paused: then it neither runs nor listens.
     bool active() const { return !paused_ && !meter.killed(); }
     EventMask listening() const { return active() ? schedule.listening() : EventMask{}; }
@@ -58,12 +67,15 @@ public:
     Journal journal;
     WorldView view;
     Schedule schedule;
+    Belongings belongings;
+    TestCases tests;
 
     const std::string& name() const { return journal.script(); }
     Ticks now() const { return view.world().now; }
     /// Seconds since the main chunk ran.
     double seconds() const { return to_seconds(now() - loaded_at_); }
     PetKey make_key() { return script_made_key | ++run_->last_made_key; }
+    bool may(std::string_view permission) const;
     /// Raises when the run's limit of commands is reached.
     void command(lua_State* lua, ScriptCommand command);
     /// A double in [0, 1) from the script's seed.
@@ -106,7 +118,15 @@ private:
     void call(int function, PushArguments push);
     template <std::invocable<lua_State*> PushArguments>
     void wake(const Waiter& waiter, PushArguments push);
-    void fire(Topic topic, const ScriptEvent* event, double seconds);
+    // Calls push(lua, subject) for the arguments of each handler; `subject` is the pet that a
+    // handler is about, or 0.
+    template <typename PushArguments>
+    void fire(Topic topic, PetKey first, PetKey second, PushArguments push);
+    std::vector<std::uint64_t> waiters_for(Topic topic, const ScriptEvent& event) const;
+    void drop_hotkeys();
+    void run_tests();
+    void end_test();
+    void give_up_tests(const char* problem);
     void resume(HostThread thread, lua_State* from, int arguments);
     void report(lua_State* thread, int status);
     void end_waits_for_gone_pets();
@@ -118,9 +138,11 @@ private:
     HostThread running_;  ///< Innermost coroutine of the host that is running.
     bool parked_ = false;
     bool paused_ = false;
+    bool unloading_ = false;
     std::vector<InnerWait> waiting_inside_;
     std::size_t commands_ = 0;
     Ticks loaded_at_ = 0;
+    std::vector<std::string> permissions_;
     std::uint64_t random_;
 };
 

@@ -3,6 +3,7 @@
 #include "daemon/script/api.h"
 #include "daemon/script/sandbox.h"
 #include "daemon/script/script.h"
+#include "daemon/script/values.h"
 
 #include <fmt/format.h>
 #include <lauxlib.h>
@@ -54,49 +55,78 @@ void Script::run_main_chunk(const std::string& source) {
 }
 
 void Script::ready() {
-    fire(Topic::ready, nullptr, 0.0);
+    fire(Topic::ready, 0, 0, [](lua_State*, PetKey) { return 0; });
 }
 
 // What happened to a pet that is gone by now would only be an error in every handler.
 void Script::deliver(const ScriptEvent& event) {
     const Topic topic = topic_of(event.event.kind);
-    if (is_about_pets(topic) && topic != Topic::remove && view.find(event.pet) == nullptr) {
+    const auto is_gone = [this](PetKey pet) { return pet != 0 && view.find(pet) == nullptr; };
+    if (is_about_pets(topic) && topic != Topic::remove &&
+        (event.pet == 0 || is_gone(event.pet) || is_gone(event.other))) {
         return;
     }
-    fire(topic, &event, 0.0);
-}
-
-void Script::fire(Topic topic, const ScriptEvent* event, double seconds) {
-    const PetKey pet = event == nullptr ? 0 : event->pet;
-    // Handlers may come and go meanwhile: those that are there now, as far as they still are.
-    std::vector<std::uint64_t> handlers;
-    for (const Handler& handler : schedule.handlers()) {
-        if (handler.topic == topic && (handler.pet == 0 || handler.pet == pet)) {
-            handlers.push_back(handler.id);
+    // Who begins to wait in a handler does not hear the event that the handler is about.
+    const auto waiters = waiters_for(topic, event);
+    fire(topic, event.pet, event.other, [&event](lua_State* lua, PetKey subject) {
+        return push_event(lua, event, subject);
+    });
+    for (const std::uint64_t id : waiters) {
+        if (const auto waiter = schedule.take_waiter(id); waiter && active()) {
+            wake(*waiter, [&](lua_State* lua) { return push_outcome(lua, event, waiter->pet); });
         }
     }
-    std::vector<std::uint64_t> waiters;
-    for (const Waiter& waiter : schedule.waiters()) {
-        if (waiter.pet != 0 && waiter.topic == topic && waiter.pet == pet) {
-            waiters.push_back(waiter.id);
+}
+
+void Script::change_setting(const ScriptSetting& setting) {
+    set_field(belongings.config, setting.key, setting.value);
+    if (!active()) {
+        return;
+    }
+    protect([&](lua_State* lua) {
+        push_value(lua, setting.value);
+        set_config(lua, setting.key);
+    });
+    fire(Topic::config, 0, 0, [&setting](lua_State* lua, PetKey) {
+        lua_pushlstring(lua, setting.key.data(), setting.key.size());
+        push_value(lua, setting.value);
+        return 2;
+    });
+}
+
+void Script::press_hotkey(std::uint64_t id) {
+    if (const Handler* const handler = schedule.handler(id);
+        handler != nullptr && handler->topic == Topic::hotkey && active()) {
+        call(handler->function, [](lua_State*) { return 0; });
+    }
+}
+
+// Handlers may come and go meanwhile: those that are there now, as far as they still are.
+template <typename PushArguments>
+void Script::fire(Topic topic, PetKey first, PetKey second, PushArguments push) {
+    std::vector<std::uint64_t> handlers;
+    for (const Handler& handler : schedule.handlers()) {
+        if (handler.hears(topic, first, second)) {
+            handlers.push_back(handler.id);
         }
     }
     for (const std::uint64_t id : handlers) {
         if (const Handler* const handler = schedule.handler(id); handler != nullptr && active()) {
-            call(handler->function, [&](lua_State* lua) {
-                if (topic == Topic::tick) {
-                    lua_pushnumber(lua, seconds);
-                    return 1;
-                }
-                return event == nullptr ? 0 : push_event(lua, *event);
-            });
+            const PetKey subject = handler->pet;
+            call(handler->function, [&](lua_State* lua) { return push(lua, subject); });
         }
     }
-    for (const std::uint64_t id : waiters) {
-        if (const auto waiter = schedule.take_waiter(id); waiter && active()) {
-            wake(*waiter, [event](lua_State* lua) { return push_outcome(lua, *event); });
+}
+
+std::vector<std::uint64_t> Script::waiters_for(Topic topic, const ScriptEvent& event) const {
+    std::vector<std::uint64_t> waiters;
+    for (const Waiter& waiter : schedule.waiters()) {
+        if (waiter.pet != 0 && waiter.topic == topic &&
+            (waiter.pet == event.pet || waiter.pet == event.other)) {
+            waiters.push_back(waiter.id);
         }
     }
+    return waiters;
 }
 
 void Script::run_due() {
@@ -122,8 +152,48 @@ void Script::run_due() {
     }
     if (active()) {
         if (const auto seconds = schedule.take_tick(now())) {
-            fire(Topic::tick, nullptr, *seconds);
+            fire(Topic::tick, 0, 0, [&seconds](lua_State* lua, PetKey) {
+                lua_pushnumber(lua, *seconds);
+                return 1;
+            });
         }
+        run_tests();
+    }
+}
+
+// One after the other; a case that ends at once makes room for the next.
+void Script::run_tests() {
+    while (active()) {
+        const auto function = tests.begin_next(now());
+        if (!function) {
+            break;
+        }
+        call(*function, [](lua_State*) { return 0; });
+        release(*function);
+    }
+    run_->output.open_tests += tests.open();
+}
+
+// The next case finds no pet of this one.
+void Script::end_test() {
+    if (auto ended = tests.end(name(), now())) {
+        run_->output.tests.push_back(*std::move(ended));
+    }
+    std::vector<PetKey> own;
+    view.for_each([&](const PetView& pet) {
+        if (pet.owner == name()) {
+            own.push_back(pet.key);
+        }
+    });
+    for (const PetKey pet : own) {
+        run_->output.commands.emplace_back(command::Remove{pet});
+        view.remove(pet);
+    }
+}
+
+void Script::give_up_tests(const char* problem) {
+    for (ScriptTest& ended : tests.give_up(name(), now(), problem)) {
+        run_->output.tests.push_back(std::move(ended));
     }
 }
 
@@ -163,7 +233,14 @@ void Script::end() {
     if (lua_ == nullptr) {
         return;
     }
+    if (!active()) {
+        drop_hotkeys();
+        give_up_tests("the script was stopped");
+    }
     if (meter.killed()) {
+        if (tests.enabled()) {
+            run_->output.tests.push_back({name(), "its end", meter.verdict().reason, 0.0});
+        }
         journal.ended(meter.verdict().reason, meter.verdict().trace);
         close();
     } else {
@@ -171,9 +248,35 @@ void Script::end() {
     }
 }
 
+void Script::unload(const char* reason) {
+    if (lua_ == nullptr) {
+        return;
+    }
+    unloading_ = true;
+    meter.begin(limits.unload_units, limits.callback_time);
+    fire(Topic::unload, 0, 0, [reason](lua_State* lua, PetKey) {
+        lua_pushstring(lua, reason);
+        return 1;
+    });
+    end();
+    drop_hotkeys();
+    close();
+}
+
+void Script::drop_hotkeys() {
+    for (const Handler& handler : schedule.handlers()) {
+        if (handler.topic == Topic::hotkey) {
+            run_->output.commands.emplace_back(command::Hotkey{name(), handler.id, "", ""});
+        }
+    }
+    schedule.drop(Topic::hotkey);
+}
+
 template <std::invocable<lua_State*> PushArguments>
 void Script::call(int function, PushArguments push) {
-    meter.begin(limits.callback_units, limits.callback_time);
+    if (!unloading_) {  // whose handlers share one budget
+        meter.begin(limits.callback_units, limits.callback_time);
+    }
     protect([&](lua_State* lua) {
         lua_rawgeti(lua, LUA_REGISTRYINDEX, function);
         start(lua, push(lua));

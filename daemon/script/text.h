@@ -11,6 +11,8 @@ namespace hyrax::script {
 /// True for UTF-8 without control characters.
 bool is_plain_text(std::string_view text);
 
+bool is_utf8(std::string_view text);
+
 /// Each run of control characters becomes one space, each byte that is not UTF-8 a question mark;
 /// cut at a character after at most `longest` bytes, where "..." tells of the cut.
 std::string clean_text(std::string_view text, std::size_t longest);

@@ -35,7 +35,8 @@ PresentCost cost_on(const Rect& pane, bool wine) {
 
 }  // namespace
 
-Overlay::Overlay(MessageHandler& handler) : handler_(handler), wine_(runs_under_wine()) {}
+Overlay::Overlay(MessageHandler& handler, PaneClicks clicks)
+    : handler_(handler), clicks_(clicks), wine_(runs_under_wine()) {}
 
 void Overlay::present(const Frame& frame, std::span<const Monitor> monitors, Ticks now) {
     if (frame == frame_ && !undrawn_ && now < due()) {
@@ -104,7 +105,7 @@ PaneWindow* Overlay::window_on(const Rect& monitor) {
     if (found != windows_.end()) {
         return found->get();
     }
-    Result<std::unique_ptr<PaneWindow>> created = PaneWindow::create(monitor, handler_);
+    Result<std::unique_ptr<PaneWindow>> created = PaneWindow::create(monitor, clicks_, handler_);
     if (!created) {
         spdlog::error("{}", created.error().message);
         return nullptr;

@@ -16,7 +16,7 @@ namespace hyrax::win32 {
 class Overlay {
 public:
     /// The handler gets the messages of every pane.
-    explicit Overlay(MessageHandler& handler);
+    explicit Overlay(MessageHandler& handler, PaneClicks clicks = PaneClicks::on_pixels);
 
     /// Shows the frame. Does nothing if it equals the one before and no pane is due to shrink.
     void present(const Frame& frame, std::span<const Monitor> monitors, Ticks now);
@@ -58,6 +58,7 @@ private:
     void retire_windows(const Frame& frame, std::span<const Monitor> monitors);
 
     MessageHandler& handler_;
+    PaneClicks clicks_;
     std::vector<std::unique_ptr<PaneWindow>> windows_;
     std::vector<Pane> plan_;
     Frame frame_;

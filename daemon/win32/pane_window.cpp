@@ -44,11 +44,13 @@ bool overlaps(const RECT& rect, const Rect& area) {
 }  // namespace
 
 Result<std::unique_ptr<PaneWindow>> PaneWindow::create(
-    const Rect& monitor, MessageHandler& handler
+    const Rect& monitor, PaneClicks clicks, MessageHandler& handler
 ) {
     std::unique_ptr<PaneWindow> pane(new PaneWindow(monitor));
+    const DWORD style =
+        clicks == PaneClicks::on_pixels ? pane_style : pane_style | WS_EX_TRANSPARENT;
     Result<Window> window = create_window(
-        {.class_name = L"hyrax.pane", .title = L"hyrax pane", .extended_style = pane_style}, handler
+        {.class_name = L"hyrax.pane", .title = L"hyrax pane", .extended_style = style}, handler
     );
     if (!window) {
         return std::unexpected(window.error());

@@ -24,11 +24,14 @@ struct PanePicture {
     int outline_rows = 1;  ///< Of coarse_outline.h.
 };
 
+/// What a click on a visible pixel does.
+enum class PaneClicks : std::uint8_t { on_pixels, pass_through };
+
 class PaneWindow {
 public:
     /// `monitor` bounds the window for its whole life.
     [[nodiscard]] static Result<std::unique_ptr<PaneWindow>> create(
-        const Rect& monitor, MessageHandler& handler
+        const Rect& monitor, PaneClicks clicks, MessageHandler& handler
     );
 
     PaneWindow(const PaneWindow&) = delete;

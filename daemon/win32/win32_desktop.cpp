@@ -18,6 +18,7 @@ Win32Desktop::Win32Desktop(Win32DesktopOptions options)
       files_(options_.profile, options_.unwatched, clock_now()),
       screens_(options_.monitors(), clock_now()),
       overlay_(*this),
+      bubbles_(*this, PaneClicks::pass_through),
       pointer_(overlay_, inbox_) {}
 
 Result<std::unique_ptr<Win32Desktop>> Win32Desktop::create(Win32DesktopOptions options) {
@@ -77,6 +78,15 @@ void Win32Desktop::watch_windows(const WindowInterest& interest) {
 
 void Win32Desktop::present(const Frame& frame) {
     overlay_.present(frame, screens_.current(), clock_now());
+    // Windows of their own: what a layered window shows, it catches clicks with.
+    if (bubbles_shown_ || !frame.bubbles.empty()) {
+        bubbles_.present(
+            Frame{.sprites = frame.bubbles, .kept_free = frame.kept_free},
+            screens_.current(),
+            clock_now()
+        );
+        bubbles_shown_ = !frame.bubbles.empty();
+    }
     if (counters_.first_frame == never && !frame.sprites.empty()) {
         counters_.first_frame = clock_now();
     }
@@ -139,6 +149,7 @@ Ticks Win32Desktop::chores_due() const {
          screens_.due(),
          windows_.due(),
          overlay_.due(),
+         bubbles_.due(),
          tray_->due(),
          presence_due(),
          control}
@@ -152,6 +163,7 @@ void Win32Desktop::do_chores() {
     }
     if (time >= screens_.due() && screens_.settle(read_screens(), time)) {
         overlay_.forget_pixels();
+        bubbles_.forget_pixels();
         inbox_.emplace_back(input::MonitorsChanged{});
     }
     if (windows_.check(time)) {
@@ -162,8 +174,10 @@ void Win32Desktop::do_chores() {
     }
     tray_->retry(time);
     look_around(time);
-    if (time >= overlay_.due()) {
-        overlay_.present_again(screens_.current(), time);
+    for (Overlay* overlay : {&overlay_, &bubbles_}) {
+        if (time >= overlay->due()) {
+            overlay->present_again(screens_.current(), time);
+        }
     }
 }
 

@@ -63,7 +63,10 @@ public:
     Ticks now() override;
     std::vector<Input> wait(Ticks deadline) override;
     void present(const Frame& frame) override;
-    void use_renderer(Renderer renderer) override { overlay_.use_renderer(renderer); }
+    void use_renderer(Renderer renderer) override {
+        overlay_.use_renderer(renderer);
+        bubbles_.use_renderer(renderer);
+    }
     std::vector<Monitor> monitors() override;
     std::vector<DesktopWindow> windows() override;
     void watch_windows(const WindowInterest& interest) override;
@@ -129,6 +132,8 @@ private:
     WindowWatch windows_;
     Window daemon_;
     Overlay overlay_;
+    Overlay bubbles_;
+    bool bubbles_shown_ = false;
     Pointer pointer_;
     std::optional<AboutBox> about_;
     std::optional<TrayIcon> tray_;

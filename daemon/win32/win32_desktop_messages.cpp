@@ -89,6 +89,7 @@ void Win32Desktop::ask(Request request) {
 void Win32Desktop::on_screens_hint() {
     screens_.hint(clock_now());
     overlay_.forget_pixels();
+    bubbles_.forget_pixels();
 }
 
 bool Win32Desktop::on_handed_over(LPARAM copy_data) {

@@ -11,6 +11,7 @@ void Win32Desktop::follow(const Conduct& conduct) {
     conduct_ = conduct;
     front_->set(conduct.front, conduct.name_programs, time);
     overlay_.hide_from_capture(conduct.hide_from_capture);
+    bubbles_.hide_from_capture(conduct.hide_from_capture);
     if (conduct.let_go) {
         pointer_.give_up();
     }
@@ -39,13 +40,14 @@ void Win32Desktop::keep_on_top(Ticks time) {
     if (time < topmost_.due()) {
         return;
     }
-    const bool buried = overlay_.buried();
+    const bool buried = overlay_.buried() || bubbles_.buried();
     const TopmostKeeper::Sight sight{
         .buried = buried,
         .flyout_in_front = buried && front_->flyout_in_front(),
     };
     if (topmost_.check(sight, time)) {
         overlay_.raise();
+        bubbles_.raise();
     }
 }
 
@@ -113,6 +115,7 @@ void Win32Desktop::tell_facts(Ticks time) {
     if (told_facts_.suspended && !facts_.suspended) {
         screens_.woke_up(time);
         overlay_.forget_pixels();
+        bubbles_.forget_pixels();
     }
     told_facts_ = facts_;
     inbox_.emplace_back(input::FactsChanged{facts_, time});

@@ -50,6 +50,53 @@ TEST_CASE("a frozen pet goes on exactly where it was, with every integrator") {
     }
 }
 
+TEST_CASE("frozen pets do not walk, and walk on in a time of their own") {
+    World world;
+    world.engine.set_arena(two_monitors());
+    const PetId id = world.spawn({300.0, 800.0});
+    world.run(0.5);
+    const double y = world.pet(id).position().y;
+    SUBCASE("in the middle of it") {
+        REQUIRE(world.engine.walk_to(id, 600.0, 100.0));
+        world.run(1.0);
+        const Vec2 before = world.pet(id).position();
+        CHECK(before.x > 350.0);
+        world.engine.freeze({left}, world.now - frame);
+        world.run(5.0);
+        CHECK(world.pet(id).position() == before);
+        world.engine.freeze({}, world.now - frame);
+        world.run(0.5);
+        CHECK(world.pet(id).motion == Motion::walking);
+        CHECK(world.pet(id).position().x == doctest::Approx(before.x + 50.0).epsilon(0.01));
+    }
+    SUBCASE("asked while frozen") {
+        world.engine.freeze({left}, world.now - frame);
+        REQUIRE(world.engine.walk_to(id, 600.0, 100.0));
+        CHECK_FALSE(world.engine.moving());
+        world.run(5.0);
+        CHECK(world.pet(id).position().x == 300.0);
+        world.engine.freeze({}, world.now - frame);
+        world.run(1.0);
+        CHECK(world.pet(id).position().x == doctest::Approx(400.0).epsilon(0.01));
+    }
+    world.run(6.0);
+    CHECK(world.pet(id).position() == Vec2{600.0, y});
+}
+
+TEST_CASE("an animation that was asked for goes on where it was, too") {
+    World world;
+    world.engine.set_arena(two_monitors());
+    const PetId id = world.spawn({300.0, 800.0});
+    world.run(1.0);
+    REQUIRE(world.engine.play(id, {.animation = "any"}));
+    const Ticks since = world.pet(id).playing->since;
+    world.engine.freeze({left}, world.now - frame);
+    const Ticks stopped = world.now - frame;
+    world.run(3.0);
+    world.engine.freeze({}, world.now - frame);
+    CHECK(world.pet(id).playing->since == since + (world.now - frame - stopped));
+}
+
 TEST_CASE("pets on other monitors go on, and one that flies in stops there") {
     World world;
     world.engine.set_arena(two_monitors());

@@ -53,6 +53,48 @@ TEST_CASE("engine ledges: a window that moves gently takes its pets along") {
     CHECK(world.count(EventKind::land) == 0);
 }
 
+TEST_CASE("engine ledges: who walks on a window stands on it as on a floor") {
+    OnWindow world;
+    REQUIRE(world.engine.walk_to(world.id, 900.0, 100.0));
+    world.run(1.0);
+    CHECK(world.pet(world.id).motion == Motion::walking);
+    CHECK(world.pet(world.id).position().y == 420.0);
+    CHECK(world.engine.windows_underfoot() == std::vector<std::uint64_t>{7});
+    SUBCASE("to its target") {
+        world.run(2.0);
+        CHECK(world.pet(world.id).position() == Vec2{900.0, 420.0});
+        CHECK_FALSE(world.engine.moving());
+    }
+    SUBCASE("a window elsewhere changes nothing, to the bit") {
+        OnWindow twin;
+        REQUIRE(twin.engine.walk_to(twin.id, 900.0, 100.0));
+        twin.run(1.0);
+        world.engine.set_ledges({top_of(7, place), top_of(8, {100, 900, 300, 100})});
+        for (int i = 0; i < 100; ++i) {
+            world.run(0.02);
+            twin.run(0.02);
+            REQUIRE(world.pet(world.id).position() == twin.pet(twin.id).position());
+        }
+    }
+    SUBCASE("along with it") {
+        world.engine.set_ledges({top_of(7, {600, 480, 400, 300})});
+        CHECK(world.pet(world.id).position().y == 400.0);
+        world.run(2.0);
+        CHECK(world.pet(world.id).position() == Vec2{900.0, 400.0});
+    }
+    SUBCASE("over the edge that has come nearer") {
+        world.engine.set_ledges({top_of(7, {600, 500, 250, 300})});
+        world.run(1.0);
+        CHECK(world.pet(world.id).motion == Motion::airborne);
+        CHECK(world.pet(world.id).position().x > 840.0);
+    }
+    SUBCASE("and falls when it goes") {
+        world.engine.set_ledges({});
+        world.run(0.2);
+        CHECK(world.pet(world.id).motion == Motion::airborne);
+    }
+}
+
 TEST_CASE("engine ledges: a window that is yanked leaves its pets behind, either way") {
     for (const int y : {700, 300}) {
         CAPTURE(y);

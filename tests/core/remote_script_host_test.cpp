@@ -131,6 +131,42 @@ TEST_CASE("a script that hangs is named and stays out, the others start again") 
     CHECK(remote.process.starts == 2);
 }
 
+TEST_CASE("a process that starts again knows what scripts have kept and been told") {
+    Remote remote;
+    remote.host.load(three);
+    remote.frame();
+    ScriptOutput said;
+    said.commands = {command::Store{"b.lua", "n", {std::int64_t{3}}}};
+    remote.process.answer(said);
+    remote.host.watch(remote.now);
+    ScriptWorld world;
+    world.new_settings = {{"c.lua", "speed", {1.5}}};
+    remote.host.run(world, {});
+    remote.process.crash();
+    remote.frame();
+    remote.frame(std::vector<ScriptEvent>{}, 20 * ticks_per_second);
+    CHECK(remote.process.starts == 2);
+    const auto sources = remote.process.heard_of<ScriptSource>();
+    REQUIRE(sources.size() == 3);
+    CHECK(sources[1].store == ScriptTable{{"n", {std::int64_t{3}}}});
+    CHECK(sources[2].config == ScriptTable{{"speed", {1.5}}});
+}
+
+TEST_CASE("what a script keeps does not let it in again") {
+    Remote remote;
+    remote.host.load(three);
+    remote.frame();
+    remote.process.answer();
+    remote.frame();
+    remote.hang(1);
+    std::vector<ScriptSource> again = three;
+    again[1].store = {{"n", {true}}};
+    remote.host.load(again);
+    remote.process.answer();
+    remote.frame();
+    CHECK(std::ranges::count(remote.loaded(), "b.lua") == 0);
+}
+
 TEST_CASE("everything loaded anew lets a script in again, but not after three kills") {
     Remote remote;
     for (int i = 1; i <= 3; ++i) {

@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 
 #include <functional>
+#include <map>
+#include <string>
 
 using namespace hyrax;
 
@@ -119,6 +121,130 @@ TEST_CASE("other pets have keys made from their ids") {
     stage.bridge.load({{"test.lua", ""}});
     stage.run(1);
     CHECK(stage.engine.find(*id)->tag == "mine");
+}
+
+TEST_CASE("looks and walks reach the engine; what is not for it is kept for somebody else") {
+    Stage stage;
+    stage.recorder.answer.commands = {command::Spawn{key, {.at = Vec2{100.0, 590.0}}}};
+    stage.run();
+    stage.recorder.answer.commands = {
+        command::WalkTo{key, 300.0, 50.0},
+        command::Play{key, "idle", true, 10.0},
+        command::Say{key, "hello", 2.0},
+        command::SetScale{key, 2.0},
+        command::Face{key, true},
+        command::Store{"a.lua", "k", {true}},
+        command::Notify{"a.lua", "text"},
+        command::Hotkey{"a.lua", 1, "f5", "label"},
+    };
+    stage.recorder.answer.next_wake = 0;
+    stage.run(1);
+    stage.engine.for_each([](PetId, const Pet& pet) {
+        REQUIRE(pet.walk.has_value());
+        CHECK(pet.walk->target == 300.0);
+        CHECK(pet.walk->speed == 50.0);
+        REQUIRE(pet.playing.has_value());
+        CHECK(pet.playing->fps == 10.0);
+        REQUIRE(pet.speech.has_value());
+        CHECK(pet.speech->text == "hello");
+        CHECK(pet.scale == 2.0);
+        CHECK(pet.faces_left);
+    });
+    const auto wishes = stage.bridge.take_wishes();
+    REQUIRE(wishes.size() == 3);
+    CHECK(std::get<command::Store>(wishes[0]).key == "k");
+    CHECK(std::get<command::Hotkey>(wishes[2]).keys == "f5");
+    CHECK(stage.bridge.take_wishes().empty());
+    stage.run(2);
+    CHECK(stage.recorder.world.pets[0].scale == 2.0);
+}
+
+TEST_CASE("who is to stay does not walk: no pet while quiet, none on the ground while calm") {
+    for (const bool quiet : {true, false}) {
+        CAPTURE(quiet);
+        Stage stage;
+        stage.recorder.answer.commands = {command::Spawn{key, {.at = Vec2{100.0, 590.0}}}};
+        stage.run();
+        stage.bridge.set_quiet(quiet);
+        stage.bridge.set_calm(!quiet);
+        stage.recorder.answer.commands = {
+            command::WalkTo{key, 300.0, 50.0}, command::SetTag{key, "heard"}
+        };
+        stage.recorder.answer.next_wake = 0;
+        stage.run(1);
+        stage.engine.for_each([](PetId, const Pet& pet) {
+            CHECK_FALSE(pet.walk.has_value());
+            CHECK(pet.tag == "heard");
+        });
+    }
+}
+
+TEST_CASE("pets that meet keep their keys, and the end is told to scripts that are loaded") {
+    Stage stage;
+    stage.recorder.answer.commands = {
+        command::Spawn{key, {.at = Vec2{100.0, 100.0}}},
+        command::Spawn{key + 1, {.at = Vec2{200.0, 100.0}, .velocity = {-500.0, 0.0}}},
+    };
+    stage.run();
+    bool met = false;
+    for (Ticks now = 0; now < ticks_per_second; now += ticks_per_second / 60) {
+        stage.engine.advance(now);
+        stage.recorder.events.clear();
+        stage.run(now);
+        for (const ScriptEvent& event : stage.recorder.events) {
+            if (event.event.kind == EventKind::collide) {
+                CHECK(event.pet == key);
+                CHECK(event.other == key + 1);
+                met = true;
+            }
+        }
+    }
+    CHECK(met);
+    CHECK_FALSE(stage.recorder.world.ending);
+    stage.bridge.end(stage.engine, {}, ticks_per_second);
+    CHECK(stage.recorder.world.ending);
+}
+
+TEST_CASE("the latest error of each script is kept until scripts are loaded") {
+    Stage stage;
+    stage.recorder.answer.log = {
+        {LogLevel::warning, "a.lua", "careful"},
+        {LogLevel::error, "a.lua", "a.lua:1: first"},
+        {LogLevel::error, "a.lua", "    a.lua:1: in main chunk"},
+        {LogLevel::error, "a.lua", "a.lua:2: second"},
+        {LogLevel::error, "b.lua", "b.lua:1: other"},
+    };
+    stage.run();
+    const std::map<std::string, std::string> latest{
+        {"a.lua", "a.lua:2: second"}, {"b.lua", "b.lua:1: other"}
+    };
+    CHECK(stage.bridge.errors() == latest);
+    stage.bridge.load({{"a.lua", "x"}});
+    CHECK(stage.bridge.errors().empty());
+}
+
+TEST_CASE("what scripts may see is kept, what they are told is told once and at once") {
+    Stage stage;
+    stage.bridge.load({{.name = "test.lua", .text = "", .permissions = {"cursor"}}});
+    CHECK(stage.bridge.anybody_may("cursor"));
+    CHECK_FALSE(stage.bridge.anybody_may("windows"));
+    stage.bridge.see(Vec2{3.0, 4.0}, {{1, 2, 3, 4}});
+    stage.run(0);
+    CHECK(stage.bridge.next_wake() == never);
+    stage.bridge.tell(PressedHotkey{"test.lua", 7});
+    stage.bridge.tell(ScriptSetting{"test.lua", "k", {true}});
+    CHECK(stage.bridge.next_wake() == 0);
+    stage.run(1);
+    CHECK(stage.recorder.world.cursor == Vec2{3.0, 4.0});
+    CHECK(stage.recorder.world.windows.size() == 1);
+    REQUIRE(stage.recorder.world.pressed_hotkeys.size() == 1);
+    CHECK(stage.recorder.world.pressed_hotkeys[0].id == 7);
+    REQUIRE(stage.recorder.world.new_settings.size() == 1);
+    REQUIRE(stage.engine.spawn({}));
+    stage.run(2);
+    CHECK(stage.recorder.world.cursor == Vec2{3.0, 4.0});
+    CHECK(stage.recorder.world.pressed_hotkeys.empty());
+    CHECK(stage.recorder.world.new_settings.empty());
 }
 
 TEST_CASE("scripts run only when an event, a timer or a load asks for it") {

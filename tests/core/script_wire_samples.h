@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace hyrax::wire {
 
@@ -35,6 +36,47 @@ public:
     std::string line() { return "line " + std::to_string(random_()); }
     PetKey made_key() { return script_made_key | random_(); }
 
+    ScriptValue value(int depth = 0) {
+        switch (below(depth < 4 ? 7 : 5)) {
+            case 0:
+                return {};
+            case 1:
+                return {flip()};
+            case 2:
+                return {static_cast<std::int64_t>(random_())};
+            case 3:
+                return {number()};
+            case 4:
+                return {text()};
+            case 5: {
+                ScriptValue::List list;
+                for (std::size_t i = below(4); i > 0; --i) {
+                    list.push_back(value(depth + 1));
+                }
+                return {list};
+            }
+            default:
+                return {table(depth + 1)};
+        }
+    }
+    ScriptTable table(int depth = 0) {
+        ScriptTable table;
+        for (std::size_t i = below(4); i > 0; --i) {
+            set_field(table, text(), value(depth + 1));
+        }
+        return table;
+    }
+    ScriptSource source() {
+        ScriptSource source{.name = text(), .text = text(3'000), .version = text()};
+        for (std::size_t i = below(3); i > 0; --i) {
+            source.permissions.push_back(text());
+        }
+        source.config = table();
+        source.store = table();
+        source.testing = flip();
+        return source;
+    }
+
     PetView pet() {
         return {
             .key = random_(),
@@ -46,6 +88,7 @@ public:
             .box = {static_cast<int>(below(500)), static_cast<int>(below(500))},
             .state = "fall",
             .faces_left = flip(),
+            .scale = number(),
             .spawned_at = flip() ? std::optional(vec()) : std::nullopt,
         };
     }
@@ -60,10 +103,11 @@ public:
                  .velocity = vec(),
                  .tag = text()},
             .pet = random_(),
+            .other = random_(),
         };
     }
     ScriptCommand command() {
-        switch (below(8)) {
+        switch (below(16)) {
             case 0:
                 return command::Spawn{
                     made_key(),
@@ -71,7 +115,9 @@ public:
                      .at = flip() ? std::optional(vec()) : std::nullopt,
                      .velocity = {any_number(), number()},
                      .owner = text(),
-                     .tag = text()}
+                     .tag = text(),
+                     .scale = any_number(),
+                     .opacity = any_number()}
                 };
             case 1:
                 return command::Fling{random_(), {any_number(), any_number()}};
@@ -85,6 +131,27 @@ public:
                 return command::MoveTo{random_(), vec()};
             case 6:
                 return command::SetTag{random_(), text()};
+            case 7:
+                return command::WalkTo{random_(), any_number(), number()};
+            case 8:
+                return command::Play{
+                    random_(),
+                    text(),
+                    flip() ? std::optional(flip()) : std::nullopt,
+                    flip() ? std::optional(any_number()) : std::nullopt
+                };
+            case 9:
+                return command::Say{random_(), text(), any_number()};
+            case 10:
+                return command::SetScale{random_(), any_number()};
+            case 11:
+                return command::Face{random_(), flip()};
+            case 12:
+                return command::Store{text(), text(), value()};
+            case 13:
+                return command::Notify{line(), line()};
+            case 14:
+                return command::Hotkey{text(), random_(), text(), text()};
             default:
                 return command::Remove{random_()};
         }
@@ -93,8 +160,13 @@ public:
         ScriptWorld world{.now = static_cast<Ticks>(random_()), .pets = {}, .monitors = {}};
         for (std::size_t i = below(6); i > 0; --i) {
             world.pets.push_back(pet());
-            world.kinds.push_back({text(), {3, 4}});
+            world.kinds.push_back({.name = text(), .box = {3, 4}, .animations = {text(), text()}});
+            world.windows.push_back({-1, 2, 3, static_cast<int>(below(99))});
+            world.new_settings.push_back({text(), text(), value()});
+            world.pressed_hotkeys.push_back({text(), random_()});
         }
+        world.cursor = flip() ? std::optional(vec()) : std::nullopt;
+        world.ending = flip();
         if (flip()) {
             world.monitors.push_back({{-5, 6, 7, 8}, {1, 2, 3, 4}, flip(), text()});
         }
@@ -115,10 +187,12 @@ public:
         for (std::size_t i = below(4); i > 0; --i) {
             output.log.push_back({static_cast<LogLevel>(below(3)), line(), line()});
             output.ended.push_back(static_cast<std::uint32_t>(below(1'000)));
+            output.tests.push_back({line(), line(), flip() ? line() : "", number()});
         }
         if (flip()) {
             output.listening.add(EventKind::land);
         }
+        output.open_tests = below(9);
         output.next_wake = flip() ? never : static_cast<Ticks>(random_());
         return output;
     }
@@ -137,7 +211,7 @@ public:
                 encode(bytes, load());
                 break;
             case 1:
-                encode(bytes, ScriptSource{text(), text(3'000)});
+                encode(bytes, source());
                 break;
             case 2:
                 encode_run(bytes, random_(), world(), events());

@@ -61,12 +61,22 @@ TEST_CASE("what is written is read again") {
                 std::tie(a.state, a.faces_left, a.spawned_at) ==
                 std::tie(b.state, b.faces_left, b.spawned_at)
             );
+            CHECK(a.scale == b.scale);
             CHECK(run.world.kinds[p].name == world.kinds[p].name);
+            CHECK(run.world.kinds[p].animations == world.kinds[p].animations);
+            CHECK(run.world.new_settings[p].key == world.new_settings[p].key);
+            CHECK(run.world.new_settings[p].value == world.new_settings[p].value);
+            CHECK(run.world.pressed_hotkeys[p].script == world.pressed_hotkeys[p].script);
+            CHECK(run.world.pressed_hotkeys[p].id == world.pressed_hotkeys[p].id);
         }
+        CHECK(run.world.cursor == world.cursor);
+        CHECK(run.world.windows == world.windows);
+        CHECK(run.world.ending == world.ending);
         REQUIRE(run.events.size() == events.size());
         for (std::size_t e = 0; e < events.size(); ++e) {
             CHECK(run.events[e].event == events[e].event);
             CHECK(run.events[e].pet == events[e].pet);
+            CHECK(run.events[e].other == events[e].other);
         }
     }
 }
@@ -74,19 +84,33 @@ TEST_CASE("what is written is read again") {
 TEST_CASE("sources, limits and answers are read again") {
     Samples samples(2);
     Bytes bytes;
-    const ScriptSource source{"a.lua", std::string("print(1)\0", 9)};
+    ScriptSource source{.name = "a.lua", .text = std::string("print(1)\0", 9)};
     encode(bytes, source);
     CHECK(std::get<ScriptSource>(decode_to_host(body(bytes)).value()) == source);
+    for (int i = 0; i < 200; ++i) {
+        bytes.clear();
+        source = samples.source();
+        encode(bytes, source);
+        CHECK(std::get<ScriptSource>(decode_to_host(body(bytes)).value()) == source);
+    }
 
     bytes.clear();
     Load load = samples.load();
     load.limits.callback_time = std::chrono::milliseconds(123);
+    load.limits.notice_pause = std::chrono::seconds(7);
+    load.limits.unload_units = 11;
+    load.limits.store = 12;
+    load.limits.speech = 13;
     encode(bytes, load);
     const Load read = std::get<Load>(decode_to_host(body(bytes)).value());
     CHECK(read.scripts == load.scripts);
     CHECK(read.limits.pets == load.limits.pets);
     CHECK(read.limits.callback_time == load.limits.callback_time);
     CHECK(read.limits.seed == load.limits.seed);
+    CHECK(read.limits.notice_pause == load.limits.notice_pause);
+    CHECK(read.limits.unload_units == 11);
+    CHECK(read.limits.store == 12);
+    CHECK(read.limits.speech == 13);
 
     ScriptOutput output;
     output.commands = {command::Spawn{script_made_key | 5U, {.kind = "rock", .tag = "t"}}};
@@ -94,6 +118,8 @@ TEST_CASE("sources, limits and answers are read again") {
     output.listening.add(EventKind::land);
     output.next_wake = 99;
     output.ended = {3};
+    output.tests = {{"a.lua", "falls", "a.lua:2: expected 2, got 1", 0.5}};
+    output.open_tests = 4;
     const Answer answer = decode_answer(body(answer_with(output))).value();
     CHECK(std::get<command::Spawn>(answer.output.commands.at(0)).options.kind == "rock");
     CHECK(answer.output.log.at(0).level == LogLevel::warning);
@@ -101,6 +127,94 @@ TEST_CASE("sources, limits and answers are read again") {
     CHECK(answer.output.listening == output.listening);
     CHECK(answer.output.next_wake == 99);
     CHECK(answer.output.ended == output.ended);
+    REQUIRE(answer.output.tests.size() == 1);
+    CHECK(answer.output.tests[0].name == "falls");
+    CHECK(answer.output.tests[0].problem == "a.lua:2: expected 2, got 1");
+    CHECK(answer.output.tests[0].seconds == 0.5);
+    CHECK(answer.output.open_tests == 4);
+}
+
+TEST_CASE("commands of looks, walks and wishes are read again") {
+    ScriptOutput output;
+    output.commands = {
+        command::WalkTo{1, 300.0, 50.0},
+        command::Play{2, "cheer", true, 10.0},
+        command::Say{3, "hello", 2.0},
+        command::SetScale{4, 2.0},
+        command::Face{5, true},
+        command::Store{"a.lua", "k", {ScriptValue::List{{true}, {1.5}, {"x"}}}},
+        command::Notify{"a.lua", "text"},
+        command::Hotkey{"a.lua", 6, "f5", "label"},
+    };
+    const auto read = decode_answer(body(answer_with(output))).value().output.commands;
+    REQUIRE(read.size() == output.commands.size());
+    const auto& walk = std::get<command::WalkTo>(read[0]);
+    CHECK(std::tie(walk.pet, walk.x, walk.speed) == std::make_tuple(PetKey{1}, 300.0, 50.0));
+    const auto& play = std::get<command::Play>(read[1]);
+    CHECK(play.animation == "cheer");
+    CHECK(play.loop == true);
+    CHECK(play.fps == 10.0);
+    CHECK(std::get<command::Say>(read[2]).text == "hello");
+    CHECK(std::get<command::Say>(read[2]).seconds == 2.0);
+    CHECK(std::get<command::SetScale>(read[3]).scale == 2.0);
+    CHECK(std::get<command::Face>(read[4]).left);
+    const auto& store = std::get<command::Store>(read[5]);
+    CHECK(store.key == "k");
+    CHECK(store.value == std::get<command::Store>(output.commands[5]).value);
+    CHECK(std::get<command::Notify>(read[6]).text == "text");
+    const auto& hotkey = std::get<command::Hotkey>(read[7]);
+    CHECK(hotkey.id == 6);
+    CHECK(hotkey.keys == "f5");
+    CHECK(hotkey.label == "label");
+}
+
+TEST_CASE("values are bounded in depth and size, and their tables are in order") {
+    const auto stored = [](ScriptValue value) {
+        return answer_with(command::Store{"a.lua", "k", std::move(value)});
+    };
+    const auto read = [](const Bytes& bytes) {
+        const auto answer = decode_answer(body(bytes)).value();
+        return std::get<command::Store>(answer.output.commands.at(0)).value;
+    };
+    ScriptValue deep{true};
+    for (std::size_t i = 0; i < deepest_value + 20; ++i) {
+        deep = {ScriptValue::List{deep}};
+    }
+    const ScriptValue cut = read(stored(deep));
+    std::size_t depth = 0;
+    for (const ScriptValue* at = &cut; const auto* list = std::get_if<ScriptValue::List>(&at->data);
+         at = &list->front()) {
+        ++depth;
+    }
+    CHECK(depth == deepest_value);
+
+    const ScriptValue wide{ScriptValue::List(most_values, ScriptValue{true})};
+    CHECK(decode_answer(body(stored(wide))).error().message.contains("too many values"));
+
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(decode_answer(body(stored({nan}))).error().message.contains("not finite"));
+
+    const auto problem = [](const Bytes& bytes) {
+        return decode_answer(body(bytes)).error().message;
+    };
+    CHECK(problem(stored({ScriptTable{{"b", {true}}, {"a", {true}}}})).contains("not in order"));
+    CHECK(problem(stored({ScriptTable{{"a", {true}}, {"a", {true}}}})).contains("not in order"));
+    // Behind the header, number, count, command, "a.lua" and "k".
+    CHECK(problem_with(stored({true}), 33, 9).contains("no such value"));
+}
+
+TEST_CASE("a message that nests deeper than any value is refused") {
+    Bytes bytes = answer_with(command::Store{"a.lua", "k", {}});
+    const std::ptrdiff_t value = 33;
+    REQUIRE(bytes[value] == std::byte{0});
+    Bytes nested;
+    for (std::size_t i = 0; i < 100'000; ++i) {
+        for (const unsigned byte : {5U, 1U, 0U, 0U, 0U}) {
+            nested.push_back(static_cast<std::byte>(byte));
+        }
+    }
+    bytes.insert(bytes.begin() + value, nested.begin(), nested.end());
+    CHECK(decode_answer(body(bytes)).error().message.contains("too deep in others"));
 }
 
 TEST_CASE("every message encodes to its own bytes again") {
@@ -128,7 +242,7 @@ TEST_CASE("what a host must not say is refused by name") {
     CHECK(problem_with(logged, 17, 50).contains("too many"));
 
     const Bytes spawned = answer_with(command::Spawn{script_made_key, {}});
-    CHECK(problem_with(spawned, 18, 8).contains("no such command"));
+    CHECK(problem_with(spawned, 18, 200).contains("no such command"));
     CHECK(problem_with(spawned, 26, 0).contains("key of the daemon's"));
 
     const Bytes empty = answer_with(ScriptOutput{});

@@ -117,6 +117,60 @@ class Program(unittest.TestCase):
         self.assertEqual(wrong.returncode, 1)
         self.assertIn("windows.csv:1: expected time,id,x,y,width,height", wrong.stderr)
 
+    def test_cases_of_a_script_run_and_decide_the_exit_code(self):
+        script = self.folder / "ball.lua"
+        script.write_text("""
+            local function drop() return hyrax.spawn{ x = 300, y = 0 } end
+            if hyrax.test then
+                local test = hyrax.test
+                test.case("falls", function()
+                    local pet = drop()
+                    test.advance(60)
+                    test.expect(pet.y > 500)
+                    test.equal(#hyrax.pets{ all = true }, 1)
+                end)
+                test.case("speaks", function() drop():say("hi") end)
+            end
+        """)
+        done = run("--test", script)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertRegex(done.stdout, r"\Aok 1 - falls # 60\.\d\d s\nok 2 - speaks # 0\.00 s\n1\.\.2\n\Z")
+        script.write_text("hyrax.test.case('wrong', function()\n hyrax.test.equal(1, 2) end)")
+        done = run("--test", script)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("not ok 1 - wrong", done.stdout)
+        self.assertIn("# ball.lua:2: expected 2, got 1", done.stdout)
+        script.write_text("hyrax.test.case('endless', function() hyrax.test.advance(100) end)")
+        done = run("--test", script, "--seconds", 5)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("1 cases did not end in time", done.stdout)
+        for text in ("", "error('main')", "hyrax.test.case('x', print) error('y')"):
+            script.write_text(text)
+            self.assertEqual(run("--test", script).returncode, 1, text)
+
+    def test_what_a_script_keeps_needs_a_folder(self):
+        script = self.folder / "keep.lua"
+        script.write_text("local n = hyrax.store.get('n', 0) + 1 hyrax.store.set('n', n) print('start ' .. n)")
+        for expected in (1, 1):
+            self.assertIn(f"start {expected}", run("--script", script, "--seconds", 1).stderr)
+        state = self.folder / "state"
+        for expected in (1, 2, 3):
+            done = run("--script", script, "--seconds", 1, "--state", state)
+            self.assertIn(f"start {expected}", done.stderr)
+
+    def test_a_snapshot_shows_what_pets_say(self):
+        script = self.folder / "talk.lua"
+        sizes = []
+        for text in ("", "Hello, I am a hyrax and I talk a lot"):
+            script.write_text(f"local p = hyrax.spawn{{ x = 300, y = 300 }} p:say('{text}', 60)")
+            picture = self.folder / "talk.png"
+            done = run("--script", script, "--seconds", 3, "--snapshot", picture, "--for-testing",
+                       "--monitors", "800x600+0+0")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertNotIn("bubbles", done.stderr)
+            sizes.append(picture.stat().st_size)
+        self.assertGreater(sizes[1], sizes[0] + 500)
+
     def test_wrong_options_end_with_2(self):
         self.assertEqual(run("--nonsense").returncode, 2)
         self.assertEqual(run("--seconds", "-1").returncode, 2)

@@ -86,6 +86,24 @@ TEST_CASE("panes in memory show what a picture of the whole frame shows") {
     CHECK(overlay.counters().presents >= 150);
 }
 
+TEST_CASE("panes in memory hold bubbles, above the pets") {
+    const Image pet = disc(48);
+    const Image text = disc(30);
+    MemoryOverlay overlay;
+    Frame frame{.sprites = {sprite_of(pet, 1, {300, 300})}};
+    overlay.present(frame, two_screens, 0);
+    for (const Point at : {Point{310, 280}, Point{700, 20}, Point{-300, 0}}) {
+        frame.bubbles = {sprite_of(text, 1, at)};
+        overlay.present(frame, two_screens, 1);
+        CHECK(overlay.at({at.x + 15, at.y + 15}) == text.at(15, 15));
+        CHECK(differing_pixels(overlay, frame) == 0);
+    }
+    frame.bubbles.clear();
+    overlay.present(frame, two_screens, 2);
+    CHECK(overlay.at({-285, 15}) == 0);
+    CHECK(differing_pixels(overlay, frame) == 0);
+}
+
 TEST_CASE("a pane that shrinks while nothing moves still shows its pets") {
     const Image image = disc(48);
     MemoryOverlay overlay;

@@ -66,6 +66,9 @@ public:
             .trace = {},
             .requests = std::move(requests),
             .fps = {},
+            .paint_text = [](std::string_view line) -> Result<Image> {
+                return Image(Size{static_cast<int>(line.size()) * 7, 14});
+            },
         };
         daemon.emplace(desktop, std::move(options));
         daemon->run();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -35,7 +36,8 @@ bool skip(std::string_view& text, std::string_view prefix) {
 }
 
 // "Class.name" for each documented field and function, "event.name" for each event.
-Names documented() {
+// `writable` tells of each field of a pet whether it is said to be.
+Names documented(std::map<std::string, bool>* writable = nullptr) {
     std::ifstream file(HYRAX_SOURCE_DIR "/scripts/hyrax.d.lua");
     REQUIRE(file.good());
     Names names;
@@ -46,6 +48,10 @@ Names documented() {
             current = skip(rest, ".") ? word(rest) : "hyrax";
         } else if (skip(rest, "---@field ")) {
             skip(rest, "readonly ");
+            if (const std::string_view name = word(rest); writable != nullptr && current == "Pet") {
+                const bool can_only_be_read = line.contains("---@field readonly ");
+                (*writable)[std::string(name)] = !can_only_be_read;
+            }
             names.insert(current + "." + std::string(word(rest)));
         } else if (skip(rest, "function ")) {
             const std::string owner(word(rest));
@@ -73,15 +79,22 @@ void add_listed(Names& names, const std::string& prefix, const std::string& text
 
 Names existing() {
     FakeWorld world(ScriptLimits{.log_line = 4'096});
-    world.load(R"(
+    world.load(
+        {{.name = "test.lua",
+          .text = R"(
         for name in pairs(hyrax) do print("hyrax." .. name) end
         for name in pairs(hyrax.log) do print("Log." .. name) end
+        for name in pairs(hyrax.store) do print("Store." .. name) end
+        for name in pairs(hyrax.plugin) do print("Plugin." .. name) end
+        for name in pairs(hyrax.test) do print("Test." .. name) end
         for name in pairs(hyrax.arena()) do print("Rect." .. name) end
         for name in pairs(hyrax.monitors()[1]) do
             if hyrax.arena()[name] == nil then print("Monitor." .. name) end
         end
         assert(type(hyrax.on("land", print).cancel) == "function") print("Subscription.cancel")
-    )");
+    )",
+          .testing = true}}
+    );
     CHECK(world.errors() == "");
     Names names;
     std::istringstream lines(world.said());
@@ -90,6 +103,7 @@ Names existing() {
     }
     add_listed(names, "Pet", "print(hyrax.spawn().qqqqqqqqqq)");
     add_listed(names, "SpawnOptions", "hyrax.spawn{ qqqqqqqqqq = 1 }");
+    add_listed(names, "PlayOptions", "hyrax.spawn():play('idle', { qqqqqqqqqq = 1 })");
     add_listed(names, "PetFilter", "hyrax.pets{ qqqqqqqqqq = 1 }");
     add_listed(names, "Near", "hyrax.pets{ near = { qqqqqqqqqq = 1 } }");
     add_listed(names, "event", "hyrax.on('qqqqqqqqqq', print)");
@@ -107,7 +121,7 @@ TEST_CASE("hyrax.d.lua lists what exists, and nothing else") {
     for (const std::string& name : real) {
         CHECK_MESSAGE(described.contains(name), "not described: " << name);
     }
-    CHECK(described.size() > 50);
+    CHECK(described.size() > 90);
 }
 
 TEST_CASE("every described field and method of a pet can be read") {
@@ -118,4 +132,74 @@ TEST_CASE("every described field and method of a pet can be read") {
         }
     }
     CHECK(errors_of(text) == "");
+}
+
+TEST_CASE("the fields of a pet that are said to be writable are, and the others are not") {
+    std::map<std::string, bool> writable;
+    static_cast<void>(documented(&writable));
+    CHECK(writable.size() > 10);
+    for (const auto& [name, can_be_set] : writable) {
+        CAPTURE(name);
+        const std::string field = "p." + name;
+        const std::string error = errors_of("local p = hyrax.spawn() " + field + " = " + field);
+        CHECK(error.contains("can only be read") == !can_be_set);
+        CHECK((error == "") == can_be_set);
+    }
+}
+
+TEST_CASE("every event gives its handler as many values as it is said to") {
+    std::ifstream file(HYRAX_SOURCE_DIR "/scripts/hyrax.d.lua");
+    std::string counts;
+    for (std::string line; std::getline(file, line);) {
+        std::string_view rest = line;
+        if (!skip(rest, "---| \"")) {
+            continue;
+        }
+        const std::string name(word(rest));
+        const std::size_t open = rest.find("fun(");
+        REQUIRE(open != std::string_view::npos);
+        const std::string_view arguments = rest.substr(open + 4, rest.find(')') - open - 4);
+        const auto commas = std::ranges::count(arguments, ':');
+        counts += name + " " + std::to_string(commas) + "\n";
+    }
+    FakeWorld world;
+    const PetKey a = world.add_pet();
+    const PetKey b = world.add_pet();
+    world.load("for _, name in ipairs{ 'ready', 'tick', 'spawn', 'remove', 'grab', 'throw', "
+               "'bounce', 'land', 'click', 'collide', 'monitors', 'config', 'unload' } do "
+               "local s s = hyrax.on(name, function(...) print(name, select('#', ...)) s:cancel() "
+               "end) end");
+    world.skip(1.0);
+    for (const EventKind kind :
+         {EventKind::spawn,
+          EventKind::grab,
+          EventKind::throw_pet,
+          EventKind::bounce,
+          EventKind::land,
+          EventKind::click}) {
+        world.happens({.kind = kind}, a);
+        world.run();
+        if (kind == EventKind::spawn) {
+            world.take_away(b);
+            world.run();
+        }
+    }
+    const PetKey c = world.add_pet();
+    world.happens_between({.kind = EventKind::collide}, a, c);
+    world.happens({.kind = EventKind::monitors}, 0);
+    world.world.new_settings = {{"test.lua", "x", {true}}};
+    world.run();
+    world.world.new_settings = {};
+    world.load("");
+    // The setting is told before the events of its run.
+    const auto sorted = [](std::string text) {
+        std::istringstream lines(text);
+        std::set<std::string> all;
+        for (std::string line; std::getline(lines, line);) {
+            all.insert(line);
+        }
+        return all;
+    };
+    CHECK(sorted(world.said()) == sorted(counts));
+    CHECK(world.errors() == "");
 }

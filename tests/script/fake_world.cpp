@@ -24,22 +24,31 @@ FakeWorld::FakeWorld(const ScriptLimits& limits) : host_(make_script_host(limits
          .primary = false,
          .name = "two"},
     };
-    world.kinds = {{"hyrax", box}, {"rock", {40, 40}}};
+    world.kinds = {
+        {.name = "hyrax", .box = box, .animations = {"idle", "cheer"}},
+        {.name = "rock", .box = {40, 40}},
+    };
 }
 
 void FakeWorld::load(std::vector<ScriptSource> sources) {
+    for (ScriptSource& source : sources) {
+        if (source.permissions.empty()) {
+            source.permissions = permissions;
+        }
+    }
     host_->load(std::move(sources));
     run();
 }
 
 void FakeWorld::load(std::string text, std::string name) {
-    load({{std::move(name), std::move(text)}});
+    load({{.name = std::move(name), .text = std::move(text)}});
 }
 
 void FakeWorld::run() {
     const std::vector<ScriptEvent> events = std::exchange(events_, {});
     last = host_->run(world, events);
     log.insert(log.end(), last.log.begin(), last.log.end());
+    tests.insert(tests.end(), last.tests.begin(), last.tests.end());
     for (const ScriptCommand& command : last.commands) {
         apply(command);
         commands.push_back(command);
@@ -83,6 +92,10 @@ void FakeWorld::take_away(PetKey key) {
 
 void FakeWorld::happens(Event event, PetKey pet) {
     events_.push_back({std::move(event), pet});
+}
+
+void FakeWorld::happens_between(Event event, PetKey pet, PetKey other) {
+    events_.push_back({std::move(event), pet, other});
 }
 
 void FakeWorld::emit(const Event& event, PetKey pet) {
@@ -145,6 +158,10 @@ void FakeWorld::apply(const ScriptCommand& given_command) {
             emit({.kind = EventKind::spawn}, wish.key);
         } else if constexpr (std::is_same_v<Command, command::Remove>) {
             take_away(wish.pet);
+        } else if constexpr (std::is_same_v<Command, command::Store> ||
+                             std::is_same_v<Command, command::Notify> ||
+                             std::is_same_v<Command, command::Hotkey>) {
+            // Nothing of the world.
         } else if (PetView* const pet = find(wish.pet)) {
             if constexpr (std::is_same_v<Command, command::Fling>) {
                 pet->velocity = wish.velocity;
@@ -159,8 +176,14 @@ void FakeWorld::apply(const ScriptCommand& given_command) {
                 pet->velocity = {};
             } else if constexpr (std::is_same_v<Command, command::MoveTo>) {
                 pet->position = wish.position;
-            } else {
+            } else if constexpr (std::is_same_v<Command, command::SetTag>) {
                 pet->tag = wish.tag;
+            } else if constexpr (std::is_same_v<Command, command::SetScale>) {
+                pet->scale = wish.scale;
+            } else if constexpr (std::is_same_v<Command, command::Face>) {
+                pet->faces_left = wish.left;
+            } else if constexpr (std::is_same_v<Command, command::WalkTo>) {
+                pet->position.x = wish.x;
             }
         }
     };

@@ -32,6 +32,7 @@ public:
     void take_away(PetKey key);
     /// Waits for the next run, whether or not anybody listens.
     void happens(Event event, PetKey pet);
+    void happens_between(Event event, PetKey pet, PetKey other);
     bool listens(EventKind kind) const { return last.listening.has(kind); }
 
     /// All lines of that level, each ended by a newline.
@@ -50,6 +51,9 @@ public:
     }
 
     ScriptWorld world;
+    /// What every script is allowed that comes without permissions of its own.
+    std::vector<std::string> permissions{script_permissions.begin(), script_permissions.end()};
+    std::vector<ScriptTest> tests;
     std::vector<ScriptLog> log;
     std::vector<ScriptCommand> commands;
     ScriptOutput last;

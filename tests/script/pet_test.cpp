@@ -171,7 +171,8 @@ TEST_CASE("verbs for all reach the pets of others only if they may") {
     CHECK(may.given<command::Reset>().size() == 2);
     CHECK(may.given<command::Remove>().size() == 2);
 
-    FakeWorld may_not(ScriptLimits{.others_pets = false});
+    FakeWorld may_not;
+    may_not.permissions = {};
     const PetKey pet = may_not.add_pet();
     may_not.load("N = 1 " + text + " hyrax.pets{all=true}[1]:fling(1, 2)");
     CHECK(may_not.errors().contains("pet:fling: this pet belongs to 'user'"));
