@@ -50,8 +50,9 @@ Image picture(const Frame& frame, const std::vector<Monitor>& monitors) {
         bounds = united(bounds, monitor.bounds);
     }
     Image image(Size{bounds.width, bounds.height});
-    compose(PixelView(image), {bounds.x, bounds.y}, bounds, frame);
-    compose(PixelView(image), {bounds.x, bounds.y}, bounds, Frame{.sprites = frame.bubbles});
+    Frame all = frame;
+    all.sprites.insert(all.sprites.end(), frame.bubbles.begin(), frame.bubbles.end());
+    compose(PixelView(image), {bounds.x, bounds.y}, bounds, all);
     return image;
 }
 
