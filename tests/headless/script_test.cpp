@@ -79,6 +79,22 @@ TEST_CASE("a pet walks where it is sent, speaks above itself, and then nothing w
     CHECK(recorded.desktop.timer_wakeups() <= woken + 1);
 }
 
+TEST_CASE("a picture shows pets, and bubbles above them") {
+    Image red(Size{4, 4});
+    Image blue(Size{4, 2});
+    std::ranges::fill(red.pixels, 0xFFFF0000U);
+    std::ranges::fill(blue.pixels, 0xFF0000FFU);
+    const Frame frame{
+        .sprites = {{&red, {0, 0, 4, 4}, {10, 10}, {}}},
+        .bubbles = {{&blue, {0, 0, 4, 2}, {10, 9}, {}}},
+    };
+    const Image image = picture(frame, {screen({0, 0, 40, 30})});
+    CHECK(image.at(11, 9) == 0xFF0000FFU);
+    CHECK(image.at(11, 10) == 0xFF0000FFU);
+    CHECK(image.at(11, 11) == 0xFFFF0000U);
+    CHECK(image.at(20, 20) == 0);
+}
+
 TEST_CASE("pets that meet are told to who listens") {
     RecordedDaemon recorded(4.0);
     recorded.config(R"({"pets": {"start": []}, "physics": {"gravity": 0, "air_drag": 1}})");
