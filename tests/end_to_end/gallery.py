@@ -18,6 +18,7 @@ HERE = Path(__file__).resolve().parent
 # One is left of and above the primary one, one is smaller.
 THREE = [(1280, 720, 0, 0), (1024, 640, -1024, -120), (800, 480, 1280, 160)]
 LIGHT = "#f4f1ea"
+DARK = "#22303c"
 
 # Sixty pets all over the place: some fly when the picture is taken, most have come to rest.
 CROWD = """
@@ -55,7 +56,7 @@ def crowd(exe, monitors, paper, picture):
         daemon = Daemon(desk, exe, config, scripts={"crowd.lua": CROWD})
         daemon.wait_for_pets(lambda pets: len(pets) == 60, 90, "60 pets")
         without_tray(desk)
-        time.sleep(0.5)
+        time.sleep(1.5)
         desk.screenshot(picture)
         daemon.end()
 
@@ -96,8 +97,8 @@ def main():
     exe, probe, folder = (Path(word).resolve() for word in sys.argv[1:4])
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
-        paper = wallpaper(Path(scratch), (3104, 880))
-        crowd(exe, THREE, paper, folder / "three_monitors.png")
+        paper = wallpaper(Path(scratch), (1280, 720))
+        crowd(exe, THREE, DARK, folder / "three_monitors.png")
         crowd(exe, THREE[:1], LIGHT, folder / "light.png")
         window_tops(exe, probe, paper, folder / "window_tops.png")
         tray_menu(exe, paper, folder / "tray_menu.png")
