@@ -15,6 +15,7 @@ namespace hyrax::win32 {
 
 Win32Desktop::Win32Desktop(Win32DesktopOptions options)
     : options_(std::move(options)),
+      autostart_(options_.executable),
       files_(options_.profile, options_.unwatched, clock_now()),
       screens_(options_.monitors(), clock_now()),
       overlay_(*this),
@@ -69,8 +70,15 @@ void Win32Desktop::present(const Frame& frame) {
 }
 
 void Win32Desktop::show_status(const Status& status) {
-    status_ = status;
     tray_->set_tip(tip_text(status));
+}
+
+std::optional<Point> Win32Desktop::pointer() {
+    POINT at{};
+    if (::GetCursorPos(&at) == 0) {
+        return std::nullopt;
+    }
+    return Point{static_cast<int>(at.x), static_cast<int>(at.y)};
 }
 
 std::vector<Input> Win32Desktop::wait(Ticks deadline) {

@@ -5,6 +5,7 @@
 #include "daemon/core/desktop.h"
 #include "daemon/core/result.h"
 #include "daemon/win32/about_box.h"
+#include "daemon/win32/autostart.h"
 #include "daemon/win32/clock.h"
 #include "daemon/win32/folder_watch.h"
 #include "daemon/win32/message_window.h"
@@ -13,7 +14,6 @@
 #include "daemon/win32/pointer.h"
 #include "daemon/win32/screens.h"
 #include "daemon/win32/tray_icon.h"
-#include "daemon/win32/tray_menu.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -28,8 +28,11 @@ namespace hyrax::win32 {
 struct Win32DesktopOptions {
     std::filesystem::path profile;        ///< Changes below it come as FilesChanged.
     std::vector<std::wstring> unwatched;  ///< Names in the profile whose changes do not count.
-    std::filesystem::path config_file;    ///< Opened by the menu.
-    std::wstring instance_name;           ///< SingleInstance::name()
+    std::filesystem::path config_file;    ///< Opened by the menu, as are the next two.
+    std::filesystem::path scripts_folder;
+    std::filesystem::path log_file;
+    std::filesystem::path executable;  ///< What starts with the session if the user wants that.
+    std::wstring instance_name;        ///< SingleInstance::name()
 
     /// What the arguments of a second start ask for; must report mistakes itself.
     std::function<std::vector<Request>(const std::vector<std::string>&)> parse_arguments;
@@ -58,6 +61,10 @@ public:
     void present(const Frame& frame) override;
     std::vector<Monitor> monitors() override;
     void show_status(const Status& status) override;
+    void show_menu(MenuItems menu, Point anchor) override;
+    void greet(const std::string& text) override;
+    std::optional<Point> pointer() override;
+    WallTime wall_time() override;
 
 private:
     explicit Win32Desktop(Win32DesktopOptions options);
@@ -74,9 +81,15 @@ private:
     void ask(Request request);
     void on_screens_hint();
     bool on_handed_over(LPARAM copy_data);
-    void open_menu(Point anchor);
-    void carry_out(MenuCommand command);
-    void open_config();
+    void ask_for_menu(Point anchor);
+    void open_menu();
+    void give_back_focus(HWND former, bool of_tray);
+    void carry_out(MenuAction action);
+    void carry_out(const desktop_command::OpenConfig&);
+    void carry_out(const desktop_command::OpenScripts&);
+    void carry_out(const desktop_command::OpenLog&);
+    void carry_out(const desktop_command::ShowAbout&);
+    void carry_out(const desktop_command::SetAutostart& autostart);
 
     void begin_modal();
     void end_modal();
@@ -85,15 +98,22 @@ private:
     Win32DesktopOptions options_;
     std::function<void()> run_due_;
     std::vector<Input> inbox_;
-    Status status_;
     std::uint64_t wakeups_ = 0;
     UINT taskbar_created_ = 0;
     int modal_depth_ = 0;
     bool in_modal_tick_ = false;
     bool menu_open_ = false;
+    bool tray_menu_wanted_ = false;
+    struct OfferedMenu {
+        MenuItems items;
+        Point anchor;
+        bool of_tray = false;
+    };
+    std::optional<OfferedMenu> offered_menu_;
     bool waiting_ = false;
     bool closing_ = false;
 
+    Autostart autostart_;
     Alarm alarm_;
     FolderWatch files_;
     MonitorWatch screens_;
