@@ -59,6 +59,7 @@ Places places_for(const win32::Folders& folders, const DaemonCommandLine& line) 
                 .user = user,
                 .shipped = folders.program,
                 .more_scripts = {},
+                .state = (line.profile ? user : folders.state) / "state.json",
             },
         .log = (line.profile ? user : folders.state) / "hyrax.log",
     };
@@ -97,11 +98,11 @@ std::vector<Request> requests_of(const std::vector<std::string>& arguments) {
         spdlog::warn("a second start was not understood: {}", farewell->text);
         return {};
     }
-    std::vector<Request> requests = std::get<DaemonCommandLine>(std::move(parsed)).common.requests;
-    if (requests.empty()) {
-        requests.emplace_back(request::Spawn{});
+    auto& line = std::get<DaemonCommandLine>(parsed);
+    if (line.common.requests.empty() && !line.autostart) {
+        return {request::Show{}, request::Spawn{}};
     }
-    return requests;
+    return std::move(line.common.requests);
 }
 
 bool asks_to_quit(const std::vector<Request>& requests) {
@@ -127,12 +128,21 @@ std::unique_ptr<win32::PipeServer> control_pipe(const std::wstring& instance) {
     return *std::move(server);
 }
 
-int run_daemon(const Places& places, const DaemonCommandLine& line, const std::wstring& instance) {
+int run_daemon(
+    const Places& places,
+    const DaemonCommandLine& line,
+    const std::wstring& instance,
+    const fs::path& executable
+) {
     const win32::GdiplusSession gdiplus;
     auto desktop = win32::Win32Desktop::create({
         .profile = places.profile.user,
-        .unwatched = {L"hyrax.log", L"hyrax.1.log", L"hyrax.2.log"},
+        .unwatched =
+            {L"hyrax.log", L"hyrax.1.log", L"hyrax.2.log", L"state.json", L"state.json.new"},
         .config_file = places.profile.config,
+        .scripts_folder = places.profile.user / "scripts",
+        .log_file = places.log,
+        .executable = executable,
         .instance_name = instance,
         .control = control_pipe(instance),
         .parse_arguments = requests_of,
@@ -219,7 +229,7 @@ int run(const std::vector<std::string>& arguments) {
     if (const auto prepared = prepare(places.profile); !prepared) {
         spdlog::error("{}", prepared.error().message);
     }
-    return run_daemon(places, line, instance->name());
+    return run_daemon(places, line, instance->name(), folders->executable);
 }
 
 }  // namespace

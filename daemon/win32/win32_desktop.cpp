@@ -15,6 +15,7 @@ namespace hyrax::win32 {
 
 Win32Desktop::Win32Desktop(Win32DesktopOptions options)
     : options_(std::move(options)),
+      autostart_(options_.executable),
       files_(options_.profile, options_.unwatched, clock_now()),
       screens_(options_.monitors(), clock_now()),
       overlay_(*this),
@@ -89,7 +90,6 @@ DesktopCounters Win32Desktop::counters() const {
 }
 
 void Win32Desktop::show_status(const Status& status) {
-    status_ = status;
     tray_->set_tip(tip_text(status));
 }
 
@@ -97,6 +97,14 @@ void Win32Desktop::answer(ClientId client, std::string_view text, Answer which) 
     if (options_.control) {
         options_.control->answer(client, text, which, clock_now());
     }
+}
+
+std::optional<Point> Win32Desktop::pointer() {
+    POINT at{};
+    if (::GetCursorPos(&at) == 0) {
+        return std::nullopt;
+    }
+    return Point{static_cast<int>(at.x), static_cast<int>(at.y)};
 }
 
 std::vector<Input> Win32Desktop::wait(Ticks deadline) {
