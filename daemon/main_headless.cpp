@@ -2,19 +2,26 @@
 // hyrax-headless: the whole daemon on a desktop made of lists.
 #include "daemon/control/command_line.h"
 #include "daemon/core/daemon.h"
+#include "daemon/core/remote_script_host.h"
+#include "daemon/headless/child_process.h"
 #include "daemon/headless/headless_desktop.h"
+#include "daemon/headless/host_process.h"
 #include "daemon/headless/monitor_list.h"
 #include "daemon/headless/png_file.h"
+#include "daemon/script/host_main.h"
 #include "daemon/script/script_host.h"
 
 #include <fmt/format.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <string>
 #include <utility>
 
 namespace {
@@ -67,15 +74,43 @@ void report(const hyrax::Daemon& daemon, hyrax::HeadlessDesktop& desktop, double
     );
 }
 
+// Scripts in a process of their own. Virtual time stands still while they work: the same input
+// gives the same trace, however long they take.
+std::unique_ptr<hyrax::ScriptHost> remote_scripts(hyrax::HeadlessDesktop& desktop) {
+    auto channel = std::make_unique<hyrax::ChildProcess>();
+    hyrax::ChildProcess& process = *channel;
+    auto host = std::make_unique<hyrax::RemoteScriptHost>(std::move(channel));
+    desktop.before_time_moves([&process, &remote = *host] {
+        if (!remote.running() || !remote.busy()) {
+            return false;
+        }
+        constexpr int milliseconds = 20;
+        process.wait(milliseconds);
+        return true;
+    });
+    return host;
+}
+
+// The life of this program when the daemon has started it to hold scripts. Ends without destructors
+// and exit handlers: in its cage they could not do what they want.
+[[noreturn]] void be_script_host(const std::string& parent) {
+    const auto process = hyrax::HostProcess::settle_in(parent);
+    if (!process) {
+        ::_exit(failed(process.error()));
+    }
+    ::_exit(hyrax::serve_scripts(**process, {.pulse = &(*process)->pulse()}));
+}
+
 int run(const hyrax::HeadlessCommandLine& line) {
     const auto monitors = hyrax::parse_monitors(line.monitors);
     if (!monitors) {
         return failed(monitors.error());
     }
+    hyrax::HeadlessDesktop desktop(*monitors, hyrax::from_seconds(line.seconds));
     hyrax::DaemonOptions options{
         .profile = profile_for(line),
         .decode = hyrax::decode_png,
-        .scripts = hyrax::make_script_host({}),
+        .scripts = line.script_process ? remote_scripts(desktop) : hyrax::make_script_host({}),
         .trace = {},
         .requests = line.common.requests,
         .fps = line.fps,
@@ -88,7 +123,6 @@ int run(const hyrax::HeadlessCommandLine& line) {
         options.trace = *std::move(trace);
     }
 
-    hyrax::HeadlessDesktop desktop(*monitors, hyrax::from_seconds(line.seconds));
     hyrax::Daemon daemon(desktop, std::move(options));
     const auto begin = std::chrono::steady_clock::now();
     daemon.run();
@@ -107,6 +141,9 @@ int run(const hyrax::HeadlessCommandLine& line) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc == 3 && argv[1] == hyrax::script_host_switch) {
+        be_script_host(argv[2]);
+    }
     spdlog::set_default_logger(spdlog::stderr_logger_st("hyrax"));
     spdlog::set_pattern("%l: %v");
     const std::vector<std::string> arguments(argv + 1, argv + argc);

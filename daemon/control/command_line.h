@@ -39,6 +39,7 @@ struct HeadlessCommandLine {
     std::optional<double> fps;
     std::string monitors = "1920x1080+0+0";
     std::optional<std::filesystem::path> snapshot;
+    bool script_process = false;  ///< Scripts run in a process of their own.
 };
 
 /// Arguments without the program's name, UTF-8.

@@ -5,6 +5,7 @@
 #include "daemon/core/arena.h"
 #include "daemon/core/engine.h"
 #include "daemon/core/result.h"
+#include "daemon/core/script_limits.h"
 
 #include <filesystem>
 #include <optional>
@@ -30,6 +31,7 @@ struct Config {
     double drowsy_after = 8.0;        ///< A still pet lies down after this time [s].
     double fps = 60.0;                ///< Frames a second while something moves, 1 to 1000.
     FloorEdge floor = FloorEdge::work_area;
+    ScriptLimits limits;
     std::vector<std::string> scripts{"*.lua"};  ///< Names in the scripts folder; * and ? match.
     std::string log_level = "info";             ///< trace, debug, info, warn, error or off.
     bool operator==(const Config&) const = default;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,6 +47,7 @@ using Slot = std::variant<
     std::optional<double>*,
     int*,
     std::size_t*,
+    std::int64_t*,
     std::string*,
     FloorEdge*,
     Integrator*,

@@ -30,6 +30,11 @@ void Daemon::read_config() {
     for (const std::string& warning : loaded->warnings) {
         spdlog::warn("{}", warning);
     }
+    if (loaded->config.limits != config_.limits) {
+        // Scripts start again under them.
+        scripts_.set_limits(loaded->config.limits);
+        sources_.clear();
+    }
     const bool floor_moved = loaded->config.floor != config_.floor;
     config_ = loaded->config;
     config_.fps = fps_.value_or(config_.fps);

@@ -34,8 +34,9 @@ bool is_possible(const EngineSettings& settings) {
            is_share(law.air_drag) && is_share(law.ground_friction) &&
            is_amount(settings.reference_rate) && settings.reference_rate > 0.0 &&
            is_amount(settings.fixed_rate) && settings.fixed_rate > 0.0 &&
-           is_amount(settings.max_speed) && is_amount(settings.forces.quadratic_drag) &&
-           std::isfinite(settings.forces.wind.x) && std::isfinite(settings.forces.wind.y);
+           is_amount(settings.max_speed) && is_amount(settings.max_spawn_rate) &&
+           is_amount(settings.forces.quadratic_drag) && std::isfinite(settings.forces.wind.x) &&
+           std::isfinite(settings.forces.wind.y);
 }
 
 MotionRules rules_of(const EngineSettings& settings) {
@@ -75,6 +76,16 @@ Result<PetId> Engine::spawn(const SpawnOptions& options) {
         if (const auto checked = require_finite(numbers, "spawn"); !checked) {
             return std::unexpected(checked.error());
         }
+    }
+
+    const double rate = settings_.max_spawn_rate;
+    const double at_once = static_cast<double>(settings_.max_pets) + rate;
+    if (!spawns_.take(now_, {.at_once = at_once, .per_second = rate})) {
+        return failure(fmt::format(
+            "spawn: the limit of {} new pets a second is reached (config.json: "
+            "/pets/max_spawn_rate)",
+            settings_.max_spawn_rate
+        ));
     }
 
     Pet pet;

@@ -5,6 +5,7 @@
 #include "daemon/core/arena.h"
 #include "daemon/core/event.h"
 #include "daemon/core/pet.h"
+#include "daemon/core/quota.h"
 #include "daemon/core/result.h"
 #include "daemon/core/slot_map.h"
 #include "physics/body.h"
@@ -29,10 +30,12 @@ struct EngineSettings {
     PhysicsConstants physics{};
     Integrator integrator = Integrator::event_driven;
     double reference_rate = default_reference_rate;  ///< Frames a second of the multipliers.
-    double fixed_rate = 240.0;    ///< Steps a second of semi_implicit_euler_fixed.
-    ForceField forces{};          ///< Any but none makes rk45 the integrator.
-    SpringConstants hand{};       ///< Holds a grabbed pet on the pointer.
-    std::size_t max_pets = 100;   ///< Population cap on every path that spawns.
+    double fixed_rate = 240.0;   ///< Steps a second of semi_implicit_euler_fixed.
+    ForceField forces{};         ///< Any but none makes rk45 the integrator.
+    SpringConstants hand{};      ///< Holds a grabbed pet on the pointer.
+    std::size_t max_pets = 100;  ///< Population cap on every path that spawns.
+    double max_spawn_rate =
+        100.0;  ///< Pets a second on every path, after max_pets and this many at once.
     double max_speed = 20'000.0;  ///< Velocities set from outside are shortened to this [px/s].
     bool operator==(const EngineSettings&) const = default;
 };
@@ -56,8 +59,9 @@ struct SpawnOptions {
 };
 
 /// Owned by one thread. Every verb that fails changes nothing; it fails on a stale id, on numbers
-/// that are not finite, on an unknown kind, on a full population and while no monitor is known.
-/// A held pet belongs to the hand: fling, push, stop, reset and move_to leave it as it is.
+/// that are not finite, on an unknown kind, on a full population, too many new pets a second and
+/// while no monitor is known. A held pet belongs to the hand: fling, push, stop, reset and move_to
+/// leave it as it is.
 class Engine {
 public:
     /// `seed` decides where pets appear that are spawned without a position.
@@ -165,6 +169,7 @@ private:
     std::vector<Event> events_;
     EventMask listening_;
     std::uint64_t contacts_ = 0;
+    Quota spawns_;
     std::minstd_rand random_;
     Ticks now_ = 0;
 };

@@ -22,6 +22,9 @@ void HeadlessDesktop::add(TimedInput input) {
 }
 
 std::vector<Input> HeadlessDesktop::wait(Ticks deadline) {
+    if (before_time_moves_ && before_time_moves_()) {
+        return {input::ScriptsHeard{}};
+    }
     const Ticks input_time = next_ < inputs_.size() ? inputs_[next_].time : never;
     const Ticks wake = std::min({deadline, input_time, end_});
     now_ = std::max(now_, wake == never ? now_ : wake);

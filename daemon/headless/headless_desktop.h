@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace hyrax {
@@ -25,6 +26,9 @@ public:
 
     /// Inputs may be added in any order; those of one moment keep theirs.
     void add(TimedInput input);
+    /// Called before time moves on: true if something else happened first, which the daemon then
+    /// hears of as an input::ScriptsHeard. So virtual time waits for scripts in another process.
+    void before_time_moves(std::function<bool()> wait) { before_time_moves_ = std::move(wait); }
     /// Does not tell the daemon: add an input::MonitorsChanged for that.
     void set_monitors(std::vector<Monitor> monitors) { monitors_ = std::move(monitors); }
 
@@ -42,6 +46,7 @@ public:
 
 private:
     std::vector<Monitor> monitors_;
+    std::function<bool()> before_time_moves_;
     std::vector<TimedInput> inputs_;  ///< Sorted by time; those before next_ are done.
     std::size_t next_ = 0;
     Ticks now_ = 0;

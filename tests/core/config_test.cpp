@@ -103,9 +103,10 @@ TEST_CASE("config: every key arrives where it belongs") {
         "physics": {"gravity": 0.5, "restitution": 0.25, "air_drag": 0.5, "ground_friction": 0.75,
                     "rest_threshold": 7},
         "pets": {"start": [{"kind": "cat", "count": 2, "x": 1.5, "y": -2, "vx": 3, "vy": 4}, {}],
-                 "max": 9, "max_speed": 10, "max_throw_speed": 11, "drowsy_after": 12},
+                 "max": 9, "max_spawn_rate": 2.5, "max_speed": 10, "max_throw_speed": 11, "drowsy_after": 12},
         "overlay": {"fps": 30.5, "floor": "screen"},
-        "scripts": {"run": ["a.lua", "examples/b*.lua"]},
+        "scripts": {"run": ["a.lua", "examples/b*.lua"],
+                    "limits": {"load_units": 123456, "memory": 100000, "max_speed": 1.5}},
         "log": {"level": "warn"}
     })");
     Config expected;
@@ -117,7 +118,11 @@ TEST_CASE("config: every key arrives where it belongs") {
         .rest_threshold = 7,
     };
     expected.engine.max_pets = 9;
+    expected.engine.max_spawn_rate = 2.5;
     expected.engine.max_speed = 10;
+    expected.limits.load_units = 123'456;
+    expected.limits.memory = 100'000;
+    expected.limits.max_speed = 1.5;
     expected.start_pets = {
         {.kind = "cat", .count = 2, .at = Vec2{1.5, -2}, .velocity = {3, 4}}, StartPets{}
     };
@@ -176,7 +181,7 @@ TEST_CASE("config: every number is accepted at its bounds and refused beyond the
             check_refused(field, "1.5", "1.5");
         }
     }
-    CHECK(numbers == 20);
+    CHECK(numbers == 33);
 }
 
 TEST_CASE("config: names, choices and lists") {
