@@ -45,6 +45,7 @@ struct HeadlessCommandLine {
     std::string monitors = "1920x1080+0+0";
     std::optional<std::filesystem::path> windows;
     std::optional<std::filesystem::path> snapshot;
+    bool script_process = false;  ///< Scripts run in a process of their own.
 };
 
 /// Arguments without the program's name, UTF-8.

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -87,6 +88,7 @@ using Slot = std::variant<
     bool*,
     int*,
     std::size_t*,
+    std::int64_t*,
     std::string*,
     Choice,
     std::vector<std::string>*,

@@ -84,6 +84,13 @@ void Script::command(lua_State* lua, ScriptCommand command) {
             lua, "limit of %d commands at one time reached", static_cast<int>(limits.commands)
         );
     }
+    if (run_->output.commands.size() >= most_commands_in_all) {
+        luaL_error(
+            lua,
+            "limit of %d commands of all scripts at one time reached",
+            static_cast<int>(most_commands_in_all)
+        );
+    }
     ++commands_;
     run_->output.commands.push_back(std::move(command));
 }

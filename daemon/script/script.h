@@ -48,6 +48,8 @@ public:
     void end();
     /// False once it was ended or paused: then it neither runs nor listens.
     bool active() const { return !paused_ && !meter.killed(); }
+    /// Ended by its limits, for good.
+    bool ended() const { return meter.killed(); }
     EventMask listening() const { return active() ? schedule.listening() : EventMask{}; }
     Ticks next_wake() const { return active() ? schedule.next_wake() : never; }
 

@@ -62,7 +62,9 @@ AboutBox::procedure(HWND box, UINT message, WPARAM wparam, LPARAM lparam) noexce
         } catch (const std::exception&) {
             return TRUE;  // Without the text: there is no memory.
         }
-        return TRUE;
+        // Else the text has the focus, and stands selected and scrolled to its end.
+        ::SetFocus(::GetDlgItem(box, IDOK));
+        return FALSE;
     }
     const auto* const self =
         reinterpret_cast<const AboutBox*>(::GetWindowLongPtrW(box, GWLP_USERDATA));

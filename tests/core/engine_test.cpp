@@ -206,6 +206,27 @@ TEST_CASE("reset puts a pet back where it was spawned, at rest") {
     CHECK(world.pet(second).position() == Vec2{700.0, 100.0});
 }
 
+TEST_CASE("new pets are rationed once as many have come as there may be") {
+    World world({.max_pets = 3, .max_spawn_rate = 2.0});
+    const auto come_and_go = [&world] {
+        const Result<PetId> id = world.engine.spawn({});
+        if (id) {
+            REQUIRE(world.engine.remove(*id));
+        }
+        return id.has_value();
+    };
+    world.engine.advance(ticks_per_second);
+    for (int i = 0; i < 3 + 2; ++i) {
+        CHECK(come_and_go());
+    }
+    CHECK_FALSE(come_and_go());
+    CHECK(world.engine.spawn({}).error().message.contains("limit of 2 new pets a second"));
+    world.engine.advance(2 * ticks_per_second);
+    CHECK(come_and_go());
+    CHECK(come_and_go());
+    CHECK_FALSE(come_and_go());
+}
+
 TEST_CASE("the population is capped") {
     World world({.physics = {}, .max_pets = 3});
     for (int i = 0; i < 3; ++i) {

@@ -89,6 +89,24 @@ class Program(unittest.TestCase):
         self.assertEqual(traces[0], traces[1])
         self.assertGreater(len(traces[0]), 10_000)
 
+    def test_same_input_same_trace_with_scripts_in_a_process_of_their_own(self):
+        script = self.folder / "party.lua"
+        script.write_text("""
+            hyrax.every(0.3, function() hyrax.spawn{}:fling(math.random(-900, 900), -600) end)
+            hyrax.on("land", function(pet) pet:fling(math.random(-300, 300), -400) end)
+        """)
+        bad = self.folder / "bad.lua"
+        bad.write_text("local s = ('a'):rep(3000) s:find(('.-'):rep(10) .. 'b')")
+        traces = []
+        for name in ("a.csv", "b.csv"):
+            done = run("--script-process", "--script", bad, "--script", script, "--seconds", 3,
+                       "--trace", self.folder / name)  # fmt: skip
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("error: bad.lua: gave no sign of life", done.stderr)
+            traces.append((self.folder / name).read_bytes())
+        self.assertEqual(traces[0], traces[1])
+        self.assertGreater(len(traces[0]), 10_000)
+
     def test_settings_that_surprise_are_explained(self):
         config = self.folder / "config.json"
         config.write_text('{"physics": {"gravity": 1e9}}')
