@@ -4,15 +4,11 @@
 namespace hyrax {
 namespace {
 
-constexpr std::array<std::string_view, 6> log_levels{
-    "trace", "debug", "info", "warn", "error", "off"
-};
-
 // Far beyond any desktop, and small enough that pixels still fit an int.
 constexpr double most_px = 1e6;
 constexpr double most_speed = 1e7;
 
-constexpr std::array config_keys{
+constexpr std::array motion_keys{
     Field<Config>{
         "/$schema",
         [](Config&) -> Slot { return Ignored{}; },
@@ -156,227 +152,6 @@ constexpr std::array config_keys{
         "",
         "Whether pets grow with the scaling that the system sets for their screen."
     },
-    Field<Config>{
-        "/overlay/fps",
-        [](Config& c) -> Slot { return &c.fps; },
-        {1, 1000},
-        "frames/s",
-        "Frames drawn while a pet moves."
-    },
-    Field<Config>{
-        "/overlay/floor",
-        [](Config& c) -> Slot { return Choice(c.floor); },
-        {},
-        "",
-        "What pets stand on: the top of the taskbar (work_area) or the edge of the screen "
-        "(screen).",
-        floor_names
-    },
-    Field<Config>{
-        "/overlay/fullscreen",
-        [](Config& c) -> Slot { return Choice(c.presence.full_screen); },
-        {},
-        "",
-        "What pets do on a screen that another program fills: hide (they wait, unseen), pause "
-        "(they "
-        "stand still) or stay.",
-        std::span(full_screen_names).first<3>()
-    },
-    Field<Config>{
-        "/overlay/fullscreen_rules",
-        [](Config& c) -> Slot { return &c.presence.rules; },
-        {0, 1000},
-        "",
-        "What they do instead for some programs."
-    },
-    Field<Config>{
-        "/overlay/fps_on_battery",
-        [](Config& c) -> Slot { return &c.presence.fps_on_battery; },
-        {1, 1000},
-        "frames/s",
-        "No more frames than this on battery."
-    },
-    Field<Config>{
-        "/overlay/fps_saving",
-        [](Config& c) -> Slot { return &c.presence.fps_saving; },
-        {1, 1000},
-        "frames/s",
-        "No more frames than this with the battery saver on, or over a remote connection."
-    },
-    Field<Config>{
-        "/overlay/on_resume",
-        [](Config& c) -> Slot { return Choice(c.presence.on_resume); },
-        {},
-        "",
-        "After the machine slept or the screen was locked: pets go on from where they were (go_on) "
-        "or are where they would have come meanwhile (catch_up, event_driven only).",
-        resume_names
-    },
-    Field<Config>{
-        "/overlay/reduced_motion",
-        [](Config& c) -> Slot { return Choice(c.presence.reduced_motion); },
-        {},
-        "",
-        "on: pets sit still unless they are thrown. auto asks the system whether animations are "
-        "wanted.",
-        motion_names
-    },
-    Field<Config>{
-        "/overlay/hide_from_capture",
-        [](Config& c) -> Slot { return &c.presence.hide_from_capture; },
-        {},
-        "",
-        "Leaves pets out of screenshots, recordings and shared screens."
-    },
-    Field<Config>{
-        "/overlay/opacity",
-        [](Config& c) -> Slot { return &c.opacity; },
-        {least_opacity, 1},
-        "",
-        "How opaque the pets are: at 1 nothing shines through them."
-    },
-    Field<Config>{
-        "/overlay/renderer",
-        [](Config& c) -> Slot { return Choice(c.renderer); },
-        {},
-        "",
-        "Who draws the frames: hyrax itself (blit), or GDI+ (gdiplus), which is many times slower "
-        "and there to compare.",
-        renderer_names
-    },
-    Field<Config>{
-        "/overlay/ledges",
-        [](Config& c) -> Slot { return Choice(c.ledges); },
-        {},
-        "",
-        "Windows whose tops pets land and rest on: none (off), the one in the foreground (active) "
-        "or all.",
-        ledge_names
-    },
-    Field<Config>{
-        "/overlay/allowed_monitors",
-        [](Config& c) -> Slot { return &c.allowed.monitors; },
-        {0, 100},
-        "",
-        "Monitors that pets may be on: numbers from 1 (the primary one) or names; [] is all. The "
-        "tray menu's choices come first."
-    },
-    Field<Config>{
-        "/overlay/allowed_area",
-        [](Config& c) -> Slot { return &c.allowed.area; },
-        {0, 4},
-        "px",
-        "The part of the desktop that pets may be in: [x, y, width, height] from the top left "
-        "corner of the main screen; [] is all of it."
-    },
-    Field<Config>{
-        "/overlay/quiet",
-        [](Config& c) -> Slot { return &c.quiet; },
-        {},
-        "",
-        "Pets sit still: scripts may not move them nor spawn any, only the hand may. The tray "
-        "menu's choice comes first."
-    },
-    Field<Config>{
-        "/scripts/run",
-        [](Config& c) -> Slot { return &c.scripts; },
-        {0, 1000},
-        "",
-        "Scripts to run at the start: files in the scripts folder; * and ? match any part of a "
-        "name."
-    },
-    Field<Config>{
-        "/scripts/limits/load_units",
-        [](Config& c) -> Slot { return &c.limits.load_units; },
-        {1000, 1e9},
-        "units",
-        "Work units that a script may spend while it loads; about 50 ms."
-    },
-    Field<Config>{
-        "/scripts/limits/callback_units",
-        [](Config& c) -> Slot { return &c.limits.callback_units; },
-        {1000, 1e9},
-        "units",
-        "Work units that each later call may spend; about 5 ms."
-    },
-    Field<Config>{
-        "/scripts/limits/memory",
-        [](Config& c) -> Slot { return &c.limits.memory; },
-        {65536, 1073741824},
-        "bytes",
-        "Memory of one script."
-    },
-    Field<Config>{
-        "/scripts/limits/string",
-        [](Config& c) -> Slot { return &c.limits.string; },
-        {1024, 67108864},
-        "bytes",
-        "The longest text that a script can make."
-    },
-    Field<Config>{
-        "/scripts/limits/pets",
-        [](Config& c) -> Slot { return &c.limits.pets; },
-        {1, 10000},
-        "pets",
-        "Own pets of a script at a time."
-    },
-    Field<Config>{
-        "/scripts/limits/timers",
-        [](Config& c) -> Slot { return &c.limits.timers; },
-        {1, 100000},
-        "",
-        "Timers of a script at a time."
-    },
-    Field<Config>{
-        "/scripts/limits/handlers",
-        [](Config& c) -> Slot { return &c.limits.handlers; },
-        {1, 100000},
-        "",
-        "Event handlers of a script at a time."
-    },
-    Field<Config>{
-        "/scripts/limits/waiting",
-        [](Config& c) -> Slot { return &c.limits.waiting; },
-        {1, 100000},
-        "",
-        "Coroutines of a script that wait at a time."
-    },
-    Field<Config>{
-        "/scripts/limits/commands",
-        [](Config& c) -> Slot { return &c.limits.commands; },
-        {1, 10000},
-        "",
-        "What a script may ask of pets in one frame."
-    },
-    Field<Config>{
-        "/scripts/limits/max_speed",
-        [](Config& c) -> Slot { return &c.limits.max_speed; },
-        {1, 1e7},
-        "px/s",
-        "Velocities that a script sets are shortened to this."
-    },
-    Field<Config>{
-        "/scripts/limits/log_lines_per_second",
-        [](Config& c) -> Slot { return &c.limits.log_lines_per_second; },
-        {1, 10000},
-        "lines/s",
-        "Lines a second that a script may write into the log."
-    },
-    Field<Config>{
-        "/scripts/limits/log_burst",
-        [](Config& c) -> Slot { return &c.limits.log_burst; },
-        {1, 10000},
-        "lines",
-        "Lines that a script may write at once after a silence."
-    },
-    Field<Config>{
-        "/log/level",
-        [](Config& c) -> Slot { return &c.log_level; },
-        {},
-        "",
-        "How much the log tells, from everything (trace) to nothing (off).",
-        log_levels
-    },
 };
 
 constexpr std::array start_keys{
@@ -450,7 +225,14 @@ std::string_view name_of(Integrator integrator) {
 }
 
 std::span<const Field<Config>> config_table() {
-    return config_keys;
+    static const std::vector<Field<Config>> all = [] {
+        std::vector<Field<Config>> keys(motion_keys.begin(), motion_keys.end());
+        for (const std::span<const Field<Config>> more : {overlay_table(), script_table()}) {
+            keys.insert(keys.end(), more.begin(), more.end());
+        }
+        return keys;
+    }();
+    return all;
 }
 
 std::span<const Field<StartItem>> start_table() {

@@ -48,8 +48,8 @@ struct EngineSettings {
     ForceField forces{};         ///< Any but none makes rk45 the integrator.
     SpringConstants hand{};      ///< Holds a grabbed pet on the pointer.
     std::size_t max_pets = 100;  ///< Population cap on every path that spawns.
-    double max_spawn_rate =
-        100.0;  ///< Pets a second on every path, after max_pets and this many at once.
+    /// New pets a second on every path, after max_pets and this many at once.
+    double max_spawn_rate = 100.0;
     double max_speed = 20'000.0;  ///< Velocities set from outside are shortened to this [px/s].
     double scale = 1.0;           ///< Of all pets, least_scale to most_scale.
     bool scale_with_dpi = true;   ///< Pets grow with the scale of the monitor under their feet.
