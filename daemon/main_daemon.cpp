@@ -3,9 +3,12 @@
 #include "daemon/control/command_line.h"
 #include "daemon/core/check.h"
 #include "daemon/core/daemon.h"
-#include "daemon/script/script_host.h"
+#include "daemon/core/remote_script_host.h"
+#include "daemon/script/host_main.h"
+#include "daemon/win32/child_process.h"
 #include "daemon/win32/clock.h"
 #include "daemon/win32/console.h"
+#include "daemon/win32/host_process.h"
 #include "daemon/win32/image_decoder.h"
 #include "daemon/win32/process.h"
 #include "daemon/win32/single_instance.h"
@@ -21,6 +24,7 @@
 #include <cstdint>
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <source_location>
 #include <string>
 #include <utility>
@@ -40,6 +44,7 @@ constexpr std::size_t old_logs = 2;
 struct Places {
     Profile profile;
     fs::path log;
+    fs::path program;
 };
 
 Places places_for(const win32::Folders& folders, const DaemonCommandLine& line) {
@@ -53,6 +58,7 @@ Places places_for(const win32::Folders& folders, const DaemonCommandLine& line) 
                 .more_scripts = {},
             },
         .log = (line.profile ? user : folders.state) / "hyrax.log",
+        .program = folders.executable,
     };
 }
 
@@ -110,11 +116,13 @@ std::uint32_t seed_of_the_day() {
 
 int run_daemon(const Places& places, const DaemonCommandLine& line, const std::wstring& instance) {
     const win32::GdiplusSession gdiplus;
+    auto scripts = std::make_unique<win32::ChildProcess>(places.program);
     auto desktop = win32::Win32Desktop::create({
         .profile = places.profile.user,
         .unwatched = {L"hyrax.log", L"hyrax.1.log", L"hyrax.2.log"},
         .config_file = places.profile.config,
         .instance_name = instance,
+        .scripts_event = scripts->event(),
         .parse_arguments = requests_of,
     });
     if (!desktop) {
@@ -123,7 +131,7 @@ int run_daemon(const Places& places, const DaemonCommandLine& line, const std::w
     DaemonOptions options{
         .profile = places.profile,
         .decode = win32::make_gdiplus_decoder(),
-        .scripts = make_script_host({.processor_time = win32::thread_processor_time}),
+        .scripts = std::make_unique<RemoteScriptHost>(std::move(scripts)),
         .trace = {},
         .requests = line.common.requests,
         .fps = {},
@@ -151,7 +159,21 @@ int run_daemon(const Places& places, const DaemonCommandLine& line, const std::w
     return exit_ok;
 }
 
+// The life of this program when the daemon has started it to hold scripts.
+int be_script_host(const std::vector<std::string>& arguments) {
+    const auto process = win32::HostProcess::settle_in(arguments[1], arguments[2]);
+    if (!process) {
+        return fail(process.error());
+    }
+    return serve_scripts(
+        **process, {.processor_time = win32::thread_processor_time, .pulse = &(*process)->pulse()}
+    );
+}
+
 int run(const std::vector<std::string>& arguments) {
+    if (arguments.size() == 3 && arguments[0] == script_host_switch) {
+        return be_script_host(arguments);
+    }
     const auto parsed = parse_daemon_arguments(arguments);
     if (const auto* farewell = std::get_if<Farewell>(&parsed)) {
         win32::say(farewell->text);

@@ -84,6 +84,7 @@ Result<Folders> find_folders() {
         return std::unexpected(program.error());
     }
     Folders folders;
+    folders.executable = *program;
     folders.program = program->parent_path();
     std::error_code ignored;
     if (std::filesystem::exists(folders.program / L"hyrax.portable", ignored) &&

@@ -16,6 +16,7 @@ void harden_process();
 bool runs_under_wine();
 
 struct Folders {
+    std::filesystem::path executable;
     std::filesystem::path program;  ///< Of the executable.
     std::filesystem::path profile;  ///< config.json, scripts and sprites of the user.
     std::filesystem::path state;    ///< Logs and what the daemon remembers.

@@ -115,6 +115,9 @@ void Win32Desktop::do_chores() {
     if (files_.check(time)) {
         inbox_.emplace_back(input::FilesChanged{});
     }
+    if (scripts_spoke()) {
+        inbox_.emplace_back(input::ScriptsHeard{});
+    }
     if (time >= screens_.due() && screens_.settle(options_.monitors(), time)) {
         overlay_.forget_pixels();
         inbox_.emplace_back(input::MonitorsChanged{});
@@ -125,17 +128,21 @@ void Win32Desktop::do_chores() {
     }
 }
 
+bool Win32Desktop::scripts_spoke() const {
+    return options_.scripts_event != nullptr &&
+           ::WaitForSingleObject(options_.scripts_event, 0) == WAIT_OBJECT_0;
+}
+
 void Win32Desktop::sleep_until(Ticks due) {
     if (due == never) {
         alarm_.cancel();
     } else {
         alarm_.set(due - clock_now());
     }
-    const std::array<HANDLE, 2> events{alarm_.event(), files_.event()};
+    std::array<HANDLE, 3> events{alarm_.event(), files_.event(), options_.scripts_event};
+    const DWORD count = options_.scripts_event == nullptr ? 2 : 3;
     // MWMO_INPUTAVAILABLE: also for messages that an earlier look at the queue has seen.
-    ::MsgWaitForMultipleObjectsEx(
-        static_cast<DWORD>(events.size()), events.data(), INFINITE, QS_ALLINPUT, MWMO_INPUTAVAILABLE
-    );
+    ::MsgWaitForMultipleObjectsEx(count, events.data(), INFINITE, QS_ALLINPUT, MWMO_INPUTAVAILABLE);
     ++wakeups_;
 }
 

@@ -31,6 +31,8 @@ struct Win32DesktopOptions {
     std::filesystem::path config_file;    ///< Opened by the menu.
     std::wstring instance_name;           ///< SingleInstance::name()
 
+    HANDLE scripts_event = nullptr;  ///< Comes as ScriptsHeard while it is signalled.
+
     /// What the arguments of a second start ask for; must report mistakes itself.
     std::function<std::vector<Request>(const std::vector<std::string>&)> parse_arguments;
     /// A test may bring its own screens.
@@ -66,6 +68,7 @@ private:
     void drain_messages();
     void do_chores();
     Ticks chores_due() const;
+    bool scripts_spoke() const;
     void sleep_until(Ticks due);
 
     std::optional<LRESULT> on_message(HWND window, UINT message, WPARAM wparam, LPARAM lparam)
