@@ -56,10 +56,11 @@ std::chrono::nanoseconds thread_processor_time() {
     FILETIME kernel{};
     FILETIME user{};
     ::GetThreadTimes(::GetCurrentThread(), &created, &exited, &kernel, &user);
-    const auto ticks_of_100_ns = [](const FILETIME& time) {
-        return (std::int64_t{time.dwHighDateTime} << 32U) | time.dwLowDateTime;
-    };
-    return std::chrono::nanoseconds(100 * (ticks_of_100_ns(kernel) + ticks_of_100_ns(user)));
+    return std::chrono::nanoseconds(span_of(kernel) + span_of(user));
+}
+
+Ticks span_of(const FILETIME& time) {
+    return 100 * ((Ticks{time.dwHighDateTime} << 32U) | time.dwLowDateTime);
 }
 
 Alarm::Alarm() : timer_(make_timer()) {}

@@ -19,6 +19,9 @@ WallTime wall_clock();
 /// Processor time that the calling thread has used.
 std::chrono::nanoseconds thread_processor_time();
 
+/// Of a span that the system counts in 100 ns.
+Ticks span_of(const FILETIME& time);
+
 /// A waitable timer with a resolution of about half a millisecond.
 class Alarm {
 public:

@@ -158,6 +158,9 @@ void Win32Desktop::do_chores() {
     if (files_.check(time)) {
         inbox_.emplace_back(input::FilesChanged{});
     }
+    if (scripts_spoke()) {
+        inbox_.emplace_back(input::ScriptsHeard{});
+    }
     if (time >= screens_.due() && screens_.settle(read_screens(), time)) {
         overlay_.forget_pixels();
         inbox_.emplace_back(input::MonitorsChanged{});
@@ -175,16 +178,24 @@ void Win32Desktop::do_chores() {
     }
 }
 
+bool Win32Desktop::scripts_spoke() const {
+    return options_.scripts_event != nullptr &&
+           ::WaitForSingleObject(options_.scripts_event, 0) == WAIT_OBJECT_0;
+}
+
 void Win32Desktop::sleep_until(Ticks due) {
     if (due == never) {
         alarm_.cancel();
     } else {
         alarm_.set(due - clock_now());
     }
-    std::array<HANDLE, 3> events{alarm_.event(), files_.event()};
+    std::array<HANDLE, 4> events{alarm_.event(), files_.event()};
     DWORD count = 2;
     if (options_.control) {
         events[count++] = options_.control->event();
+    }
+    if (options_.scripts_event != nullptr) {
+        events[count++] = options_.scripts_event;
     }
     // MWMO_INPUTAVAILABLE: also for messages that an earlier look at the queue has seen.
     const DWORD cause = ::MsgWaitForMultipleObjectsEx(

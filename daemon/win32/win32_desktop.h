@@ -42,6 +42,8 @@ struct Win32DesktopOptions {
     std::wstring instance_name;           ///< SingleInstance::name()
     std::unique_ptr<PipeServer> control;  ///< None: nobody can speak to the daemon by a pipe.
 
+    HANDLE scripts_event = nullptr;  ///< Comes as ScriptsHeard while it is signalled.
+
     /// What the arguments of a second start ask for; must report mistakes itself.
     std::function<std::vector<Request>(const std::vector<std::string>&)> parse_arguments;
     /// A test may bring its own screens.
@@ -85,6 +87,7 @@ private:
     void drain_messages();
     void do_chores();
     Ticks chores_due() const;
+    bool scripts_spoke() const;
     void sleep_until(Ticks due);
 
     std::optional<LRESULT> on_message(HWND window, UINT message, WPARAM wparam, LPARAM lparam)
