@@ -122,6 +122,7 @@ TEST_CASE("frames, reloads and changes of monitors leave memory and descriptors 
         "resident memory grew by " << growth / 1e3 << " kB from the second to the last quarter"
     );
     if (!instrumented) {
-        CHECK(growth < 1e6);
+        // Malloc may come to keep the room of one more sheet, which is 1.2 MB; once.
+        CHECK(growth < 2e6);
     }
 }
