@@ -253,12 +253,17 @@ void Engine::place(Pet& pet, Vec2 position) {
     pet.home = arena_.box_near({at.x + size.width / 2.0, at.y + size.height / 2.0});
 }
 
-void Engine::set_in_motion(PetId id, Pet& pet, Vec2 velocity) {
+// Its motion begins anew, at the next start of its body.
+void Engine::relaunch(Pet& pet, Vec2 velocity) {
     const bool heard = listening_.has(EventKind::bounce) || watching_.has(EventKind::bounce);
     const WallEvents walls = heard ? WallEvents::wanted : WallEvents::not_wanted;
     pet.shown.velocity = velocity;
     pet.body.launch(pet.position(), velocity, rules_, around(pet), walls);
     pet.started = false;
+}
+
+void Engine::set_in_motion(PetId id, Pet& pet, Vec2 velocity) {
+    relaunch(pet, velocity);
     refresh_frozen(id, pet);
     if (!pet.awake) {
         pet.awake = true;

@@ -213,7 +213,7 @@ private:
     bool fit(PetId id, Pet& pet);
     bool refit(PetId id, Pet& pet);
     void put(PetId id, Pet& pet, Vec2 position);
-    void follow_screen(PetId id, Pet& pet, Ticks now);
+    void follow_screen(PetId id, Pet& pet, Ticks own);
     void mind_screens();
     // engine_ledges.cpp
     struct Footing;
@@ -225,6 +225,7 @@ private:
     void find_footing(const Footing& before, Pet& pet);
 
     void place(Pet& pet, Vec2 position);
+    void relaunch(Pet& pet, Vec2 velocity);
     void set_in_motion(PetId id, Pet& pet, Vec2 velocity);
     void launch(PetId id, Pet& pet, Vec2 velocity);
     void put_back(PetId id, Pet& pet);

@@ -75,7 +75,7 @@ void Engine::advance(PetId id, Pet& pet, Ticks now) {
         pet.landed = pet.landed && motion == Motion::settled;
     }
     if (screens_differ_) {
-        follow_screen(id, pet, now);
+        follow_screen(id, pet, own);
     }
     pet.awake = pet.shown.mode != Mode::rest;
 }
