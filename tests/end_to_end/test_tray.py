@@ -107,9 +107,14 @@ class Tray(unittest.TestCase):
         daemon.wait_for_rest()
         self.choose("g")
         daemon.wait_for_pets(lambda pets: pets[0]["x"] < 1280, 10, "the pet to come")
-        self.desk.move(1600, 200)
-        self.assertEqual(daemon.second_start("--gather"), 0)
-        daemon.wait_for_pets(lambda pets: pets[0]["x"] > 1280, 10, "the pet to come")
+        # On a busy machine Wine may tell an old place of the pointer, once.
+        for _ in range(3):
+            self.desk.move(1600, 200)
+            self.assertEqual(daemon.second_start("--gather"), 0)
+            time.sleep(1.0)
+            if daemon.pets()[0]["x"] > 1280:
+                break
+        daemon.wait_for_pets(lambda pets: pets[0]["x"] > 1280, 10, f"the pet to come to {self.desk.pointer()}")
         self.quit(daemon)
 
     def test_hidden_pets_have_no_window_and_wake_nothing(self):
