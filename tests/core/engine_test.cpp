@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/core/engine_world.h"
+#include "tests/core/engine_seen.h"
 
 #include <cmath>
 #include <limits>
@@ -9,15 +9,6 @@ using namespace hyrax;
 namespace {
 
 const EngineSettings document_law{.integrator = Integrator::semi_implicit_euler};
-
-constexpr Integrator integrators[] = {
-    Integrator::event_driven,
-    Integrator::semi_implicit_euler,
-    Integrator::semi_implicit_euler_fixed,
-    Integrator::exponential_swept,
-    Integrator::stormer_verlet,
-    Integrator::rk45,
-};
 
 }  // namespace
 
