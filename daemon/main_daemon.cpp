@@ -5,11 +5,14 @@
 #include "daemon/core/check.h"
 #include "daemon/core/daemon.h"
 #include "daemon/core/log_failure.h"
+#include "daemon/core/remote_script_host.h"
 #include "daemon/core/statistics.h"
-#include "daemon/script/script_host.h"
+#include "daemon/script/host_main.h"
+#include "daemon/win32/child_process.h"
 #include "daemon/win32/clock.h"
 #include "daemon/win32/console.h"
 #include "daemon/win32/durable_file.h"
+#include "daemon/win32/host_process.h"
 #include "daemon/win32/image_decoder.h"
 #include "daemon/win32/pipe_name.h"
 #include "daemon/win32/pipe_server.h"
@@ -49,6 +52,7 @@ constexpr std::size_t old_logs = 2;
 struct Places {
     Profile profile;
     fs::path log;
+    fs::path program;
 };
 
 Places places_for(const win32::Folders& folders, const DaemonCommandLine& line) {
@@ -60,9 +64,10 @@ Places places_for(const win32::Folders& folders, const DaemonCommandLine& line) 
                 .user = user,
                 .shipped = folders.program,
                 .more_scripts = {},
-                .state = line.profile ? user : folders.state,
+                .state = (line.profile ? user : folders.state) / "state.json",
             },
         .log = (line.profile ? user : folders.state) / "hyrax.log",
+        .program = folders.executable,
     };
 }
 
@@ -99,11 +104,11 @@ std::vector<Request> requests_of(const std::vector<std::string>& arguments) {
         spdlog::warn("a second start was not understood: {}", farewell->text);
         return {};
     }
-    std::vector<Request> requests = std::get<DaemonCommandLine>(std::move(parsed)).common.requests;
-    if (requests.empty()) {
-        requests.emplace_back(request::Spawn{});
+    auto& line = std::get<DaemonCommandLine>(parsed);
+    if (line.common.requests.empty() && !line.autostart) {
+        return {request::Show{}, request::Spawn{}};
     }
-    return requests;
+    return std::move(line.common.requests);
 }
 
 bool asks_to_quit(const std::vector<Request>& requests) {
@@ -131,12 +136,18 @@ std::unique_ptr<win32::PipeServer> control_pipe(const std::wstring& instance) {
 
 int run_daemon(const Places& places, const DaemonCommandLine& line, const std::wstring& instance) {
     const win32::GdiplusSession gdiplus;
+    auto scripts = std::make_unique<win32::ChildProcess>(places.program);
     auto desktop = win32::Win32Desktop::create({
         .profile = places.profile.user,
-        .unwatched = {L"hyrax.log", L"hyrax.1.log", L"hyrax.2.log"},
+        .unwatched =
+            {L"hyrax.log", L"hyrax.1.log", L"hyrax.2.log", L"state.json", L"state.json.new"},
         .config_file = places.profile.config,
+        .scripts_folder = places.profile.user / "scripts",
+        .log_file = places.log,
+        .executable = places.program,
         .instance_name = instance,
         .control = control_pipe(instance),
+        .scripts_event = scripts->event(),
         .parse_arguments = requests_of,
         .for_testing = line.common.for_testing,
     });
@@ -146,7 +157,7 @@ int run_daemon(const Places& places, const DaemonCommandLine& line, const std::w
     DaemonOptions options{
         .profile = places.profile,
         .decode = win32::make_gdiplus_decoder(),
-        .scripts = make_script_host({.processor_time = win32::thread_processor_time}),
+        .scripts = std::make_unique<RemoteScriptHost>(std::move(scripts)),
         .control = make_controller(win32::save_file),
         .trace = {},
         .requests = line.common.requests,
@@ -192,7 +203,21 @@ int run_daemon(const Places& places, const DaemonCommandLine& line, const std::w
     return exit_ok;
 }
 
+// The life of this program when the daemon has started it to hold scripts.
+int be_script_host(const std::vector<std::string>& arguments) {
+    const auto process = win32::HostProcess::settle_in(arguments[1], arguments[2]);
+    if (!process) {
+        return fail(process.error());
+    }
+    return serve_scripts(
+        **process, {.processor_time = win32::thread_processor_time, .pulse = &(*process)->pulse()}
+    );
+}
+
 int run(const std::vector<std::string>& arguments) {
+    if (arguments.size() == 3 && arguments[0] == script_host_switch) {
+        return be_script_host(arguments);
+    }
     const auto parsed = parse_daemon_arguments(arguments);
     if (const auto* farewell = std::get_if<Farewell>(&parsed)) {
         win32::say(farewell->text);

@@ -5,10 +5,13 @@
 #include "daemon/core/daemon.h"
 #include "daemon/core/files.h"
 #include "daemon/core/log_failure.h"
+#include "daemon/core/remote_script_host.h"
 #include "daemon/core/statistics.h"
+#include "daemon/headless/child_process.h"
 #include "daemon/headless/control_path.h"
 #include "daemon/headless/durable_file.h"
 #include "daemon/headless/headless_desktop.h"
+#include "daemon/headless/host_process.h"
 #include "daemon/headless/monitor_list.h"
 #include "daemon/headless/png_file.h"
 #include "daemon/headless/process_use.h"
@@ -16,11 +19,13 @@
 #include "daemon/headless/testing_host.h"
 #include "daemon/headless/text_painter.h"
 #include "daemon/headless/window_list.h"
+#include "daemon/script/host_main.h"
 #include "daemon/script/script_host.h"
 
 #include <fmt/format.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +34,7 @@
 #include <ctime>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -168,6 +174,33 @@ int serve(
     return run_on(desktop, monitors, std::move(options), line);
 }
 
+// Scripts in a process of their own. Virtual time stands still while they work: the same input
+// gives the same trace, however long they take.
+std::unique_ptr<hyrax::ScriptHost> remote_scripts(hyrax::HeadlessDesktop& desktop) {
+    auto channel = std::make_unique<hyrax::ChildProcess>();
+    hyrax::ChildProcess& process = *channel;
+    auto host = std::make_unique<hyrax::RemoteScriptHost>(std::move(channel));
+    desktop.before_time_moves([&process, &remote = *host] {
+        if (!remote.running() || !remote.busy()) {
+            return false;
+        }
+        constexpr int milliseconds = 20;
+        process.wait(milliseconds);
+        return true;
+    });
+    return host;
+}
+
+// The life of this program when the daemon has started it to hold scripts. Ends without destructors
+// and exit handlers: in its cage they could not do what they want.
+[[noreturn]] void be_script_host(const std::string& parent) {
+    const auto process = hyrax::HostProcess::settle_in(parent);
+    if (!process) {
+        ::_exit(failed(process.error()));
+    }
+    ::_exit(hyrax::serve_scripts(**process, {.pulse = &(*process)->pulse()}));
+}
+
 int run(const hyrax::HeadlessCommandLine& line) {
     const auto monitors = hyrax::parse_monitors(line.monitors);
     if (!monitors) {
@@ -209,12 +242,18 @@ int run(const hyrax::HeadlessCommandLine& line) {
         }
         desktop.set_windows(*std::move(windows));
     }
+    if (line.script_process) {
+        options.scripts = remote_scripts(desktop);
+    }
     return run_on(desktop, *monitors, std::move(options), line);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc == 3 && argv[1] == hyrax::script_host_switch) {
+        be_script_host(argv[2]);
+    }
     spdlog::set_default_logger(spdlog::stderr_logger_st("hyrax"));
     spdlog::set_pattern("%l: %v");
     const std::vector<std::string> arguments(argv + 1, argv + argc);

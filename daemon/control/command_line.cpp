@@ -176,6 +176,11 @@ std::variant<HeadlessCommandLine, Farewell> parse_headless_arguments(
         "bar maximised]; the lines of one time are all of them, the topmost first"
     );
     app.add_option("--snapshot", raw.snapshot, "Write the last frame to this PNG file");
+    app.add_flag(
+        "--script-process",
+        line.script_process,
+        "Run scripts in a process of their own, as hyrax.exe does; time waits for it"
+    );
     if (std::optional<Farewell> farewell = parse(app, arguments)) {
         return *std::move(farewell);
     }

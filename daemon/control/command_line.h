@@ -48,6 +48,7 @@ struct HeadlessCommandLine {
     std::string monitors = "1920x1080+0+0";
     std::optional<std::filesystem::path> windows;
     std::optional<std::filesystem::path> snapshot;
+    bool script_process = false;                 ///< Scripts run in a process of their own.
     std::optional<std::filesystem::path> test;   ///< A script whose cases run, alone.
     std::optional<std::filesystem::path> state;  ///< Holds what scripts keep.
 };

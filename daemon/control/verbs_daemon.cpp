@@ -32,7 +32,10 @@ Outcome status(VerbContext& context, const json&) {
         {"awake", engine.awake},
         {"asleep", engine.asleep},
         {"paused", now.paused},
+        {"hidden", now.hidden},
+        {"quiet", now.quiet},
         {"problem", now.problem},
+        {"note", now.note},
         {"integrator", name_of(daemon.engine().integrator())},
         {"seconds", rounded(figures.seconds)},
         {"frames", figures.frames},
@@ -53,6 +56,25 @@ Outcome pause(VerbContext& context, const json&) {
 
 Outcome resume(VerbContext& context, const json&) {
     return set_paused(context, false);
+}
+
+Outcome gather(VerbContext& context, const json&) {
+    context.daemon.handle(Request{request::Gather{}});
+    return json::object();
+}
+
+Outcome hide(VerbContext& context, const json& arguments) {
+    request::Hide wish;
+    if (arguments.contains("minutes")) {
+        wish.seconds = std::llround(arguments["minutes"].get<double>() * 60.0);
+    }
+    context.daemon.handle(Request{wish});
+    return json{{"hidden", true}};
+}
+
+Outcome show(VerbContext& context, const json&) {
+    context.daemon.handle(Request{request::Show{}});
+    return json{{"hidden", false}};
 }
 
 Outcome reload(VerbContext& context, const json&) {
@@ -107,10 +129,30 @@ constexpr std::array events_parameters{
     },
 };
 
+constexpr std::array hide_parameters{
+    Parameter{
+        .name = "minutes",
+        .type = ParameterType::number,
+        .help = "Show them again after this time; without it, until show.",
+        .range = {0.0, 1e6},
+        .unit = "min",
+        .positional = true,
+    },
+};
+
 constexpr std::array table{
     Verb{"status", "Tells how the daemon is doing.", {}, "status", status},
     Verb{"pause", "Freezes pets and scripts.", {}, "pause", pause},
     Verb{"resume", "Lets them go on.", {}, "resume", resume},
+    Verb{
+        "gather",
+        "Brings every pet to the monitor under the pointer, else to the primary one.",
+        {},
+        "gather",
+        gather
+    },
+    Verb{"hide", "Hides all pets; their time stands still.", hide_parameters, "hide 30", hide},
+    Verb{"show", "Shows them again.", {}, "show", show},
     Verb{
         "reload",
         "Reads config, sprite sets and scripts again; refused with what is wrong with them.",

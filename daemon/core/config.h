@@ -9,6 +9,7 @@
 #include "daemon/core/ledges.h"
 #include "daemon/core/presence.h"
 #include "daemon/core/result.h"
+#include "daemon/core/script_limits.h"
 
 #include <filesystem>
 #include <optional>
@@ -38,8 +39,9 @@ struct Config {
     PresenceSettings presence{};
     double opacity = 1.0;  ///< Of all pets, least_opacity to 1.
     Renderer renderer = Renderer::blit;
-    AllowedSettings allowed{};                  ///< Where pets may be.
-    bool quiet = false;                         ///< Until the user says otherwise.
+    AllowedSettings allowed{};  ///< Where pets may be.
+    bool quiet = false;         ///< Until the user says otherwise.
+    ScriptLimits limits;
     std::vector<std::string> scripts{"*.lua"};  ///< Names in the scripts folder; * and ? match.
     std::string log_level = "info";             ///< trace, debug, info, warn, error or off.
     bool operator==(const Config&) const = default;

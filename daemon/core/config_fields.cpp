@@ -4,15 +4,11 @@
 namespace hyrax {
 namespace {
 
-constexpr std::array<std::string_view, 6> log_levels{
-    "trace", "debug", "info", "warn", "error", "off"
-};
-
 // Far beyond any desktop, and small enough that pixels still fit an int.
 constexpr double most_px = 1e6;
 constexpr double most_speed = 1e7;
 
-constexpr std::array config_keys{
+constexpr std::array motion_keys{
     Field<Config>{
         "/$schema",
         [](Config&) -> Slot { return Ignored{}; },
@@ -114,6 +110,13 @@ constexpr std::array config_keys{
         "No more pets than this at a time, whoever asks for them."
     },
     Field<Config>{
+        "/pets/max_spawn_rate",
+        [](Config& c) -> Slot { return &c.engine.max_spawn_rate; },
+        {1, 10000},
+        "pets/s",
+        "No more new pets a second than this, whoever asks for them."
+    },
+    Field<Config>{
         "/pets/max_speed",
         [](Config& c) -> Slot { return &c.engine.max_speed; },
         {1, most_speed},
@@ -148,143 +151,6 @@ constexpr std::array config_keys{
         {},
         "",
         "Whether pets grow with the scaling that the system sets for their screen."
-    },
-    Field<Config>{
-        "/overlay/fps",
-        [](Config& c) -> Slot { return &c.fps; },
-        {1, 1000},
-        "frames/s",
-        "Frames drawn while a pet moves."
-    },
-    Field<Config>{
-        "/overlay/floor",
-        [](Config& c) -> Slot { return Choice(c.floor); },
-        {},
-        "",
-        "What pets stand on: the top of the taskbar (work_area) or the edge of the screen "
-        "(screen).",
-        floor_names
-    },
-    Field<Config>{
-        "/overlay/fullscreen",
-        [](Config& c) -> Slot { return Choice(c.presence.full_screen); },
-        {},
-        "",
-        "What pets do on a screen that another program fills: hide (they wait, unseen), pause "
-        "(they "
-        "stand still) or stay.",
-        std::span(full_screen_names).first<3>()
-    },
-    Field<Config>{
-        "/overlay/fullscreen_rules",
-        [](Config& c) -> Slot { return &c.presence.rules; },
-        {0, 1000},
-        "",
-        "What they do instead for some programs."
-    },
-    Field<Config>{
-        "/overlay/fps_on_battery",
-        [](Config& c) -> Slot { return &c.presence.fps_on_battery; },
-        {1, 1000},
-        "frames/s",
-        "No more frames than this on battery."
-    },
-    Field<Config>{
-        "/overlay/fps_saving",
-        [](Config& c) -> Slot { return &c.presence.fps_saving; },
-        {1, 1000},
-        "frames/s",
-        "No more frames than this with the battery saver on, or over a remote connection."
-    },
-    Field<Config>{
-        "/overlay/on_resume",
-        [](Config& c) -> Slot { return Choice(c.presence.on_resume); },
-        {},
-        "",
-        "After the machine slept or the screen was locked: pets go on from where they were (go_on) "
-        "or are where they would have come meanwhile (catch_up, event_driven only).",
-        resume_names
-    },
-    Field<Config>{
-        "/overlay/reduced_motion",
-        [](Config& c) -> Slot { return Choice(c.presence.reduced_motion); },
-        {},
-        "",
-        "on: pets sit still unless they are thrown. auto asks the system whether animations are "
-        "wanted.",
-        motion_names
-    },
-    Field<Config>{
-        "/overlay/hide_from_capture",
-        [](Config& c) -> Slot { return &c.presence.hide_from_capture; },
-        {},
-        "",
-        "Leaves pets out of screenshots, recordings and shared screens."
-    },
-    Field<Config>{
-        "/overlay/opacity",
-        [](Config& c) -> Slot { return &c.opacity; },
-        {least_opacity, 1},
-        "",
-        "How opaque the pets are: at 1 nothing shines through them."
-    },
-    Field<Config>{
-        "/overlay/renderer",
-        [](Config& c) -> Slot { return Choice(c.renderer); },
-        {},
-        "",
-        "Who draws the frames: hyrax itself (blit), or GDI+ (gdiplus), which is many times slower "
-        "and there to compare.",
-        renderer_names
-    },
-    Field<Config>{
-        "/overlay/ledges",
-        [](Config& c) -> Slot { return Choice(c.ledges); },
-        {},
-        "",
-        "Windows whose tops pets land and rest on: none (off), the one in the foreground (active) "
-        "or all.",
-        ledge_names
-    },
-    Field<Config>{
-        "/overlay/allowed_monitors",
-        [](Config& c) -> Slot { return &c.allowed.monitors; },
-        {0, 100},
-        "",
-        "Monitors that pets may be on: numbers from 1 (the primary one) or names; [] is all. The "
-        "tray menu's choices come first."
-    },
-    Field<Config>{
-        "/overlay/allowed_area",
-        [](Config& c) -> Slot { return &c.allowed.area; },
-        {0, 4},
-        "px",
-        "The part of the desktop that pets may be in: [x, y, width, height] from the top left "
-        "corner of the main screen; [] is all of it."
-    },
-    Field<Config>{
-        "/overlay/quiet",
-        [](Config& c) -> Slot { return &c.quiet; },
-        {},
-        "",
-        "Pets sit still: scripts may not move them nor spawn any, only the hand may. The tray "
-        "menu's choice comes first."
-    },
-    Field<Config>{
-        "/scripts/run",
-        [](Config& c) -> Slot { return &c.scripts; },
-        {0, 1000},
-        "",
-        "Scripts to run at the start: files in the scripts folder; * and ? match any part of a "
-        "name."
-    },
-    Field<Config>{
-        "/log/level",
-        [](Config& c) -> Slot { return &c.log_level; },
-        {},
-        "",
-        "How much the log tells, from everything (trace) to nothing (off).",
-        log_levels
     },
 };
 
@@ -359,7 +225,14 @@ std::string_view name_of(Integrator integrator) {
 }
 
 std::span<const Field<Config>> config_table() {
-    return config_keys;
+    static const std::vector<Field<Config>> all = [] {
+        std::vector<Field<Config>> keys(motion_keys.begin(), motion_keys.end());
+        for (const std::span<const Field<Config>> more : {overlay_table(), script_table()}) {
+            keys.insert(keys.end(), more.begin(), more.end());
+        }
+        return keys;
+    }();
+    return all;
 }
 
 std::span<const Field<StartItem>> start_table() {

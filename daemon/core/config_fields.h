@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -87,6 +88,7 @@ using Slot = std::variant<
     bool*,
     int*,
     std::size_t*,
+    std::int64_t*,
     std::string*,
     Choice,
     std::vector<std::string>*,
@@ -111,7 +113,10 @@ struct Field {
     std::span<const std::string_view> choices = {};
 };
 
+/// All of them; the next two are parts of it.
 std::span<const Field<Config>> config_table();
+std::span<const Field<Config>> overlay_table();
+std::span<const Field<Config>> script_table();
 std::span<const Field<StartItem>> start_table();
 std::span<const Field<FullScreenRule>> full_screen_rule_table();
 

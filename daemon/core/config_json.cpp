@@ -106,6 +106,7 @@ struct SlotReader {
     }
     void operator()(int* slot) const { assign(*slot, whole()); }
     void operator()(std::size_t* slot) const { assign(*slot, whole()); }
+    void operator()(std::int64_t* slot) const { assign(*slot, whole()); }
     void operator()(std::string* slot) const {
         assign(*slot, field.choices.empty() ? value.name() : value.choice(field.choices));
     }
@@ -194,6 +195,7 @@ struct SlotType {
     std::string_view operator()(const std::optional<double>*) const { return "number"; }
     std::string_view operator()(const int*) const { return "integer"; }
     std::string_view operator()(const std::size_t*) const { return "integer"; }
+    std::string_view operator()(const std::int64_t*) const { return "integer"; }
     std::string_view operator()(const std::string*) const { return "string"; }
     std::string_view operator()(const Choice&) const { return "string"; }
     std::string_view operator()(const std::vector<std::string>*) const { return "array"; }

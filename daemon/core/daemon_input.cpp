@@ -117,8 +117,7 @@ void Daemon::carry_out(const request::RemoveAll&) {
 void Daemon::carry_out(const request::Reload&) {
     read_config();
     read_kinds();
-    // Also those that were ended.
-    scripts_.load({});
+    scripts_.renew();
     sources_.clear();
     read_scripts();
 }

@@ -30,6 +30,11 @@ void Daemon::read_config() {
     for (const std::string& warning : loaded->warnings) {
         spdlog::warn("{}", warning);
     }
+    if (loaded->config.limits != config_.limits) {
+        // Scripts start again under them.
+        scripts_.set_limits(loaded->config.limits);
+        sources_.clear();
+    }
     const bool places_moved =
         loaded->config.floor != config_.floor || loaded->config.allowed != config_.allowed;
     const bool ledges_changed = loaded->config.ledges != config_.ledges;

@@ -12,13 +12,6 @@
 namespace hyrax {
 namespace {
 
-Result<void> require_finite(Vec2 v, std::string_view verb) {
-    if (std::isfinite(v.x) && std::isfinite(v.y)) {
-        return {};
-    }
-    return failure(fmt::format("{}: expected finite numbers, got ({}, {})", verb, v.x, v.y));
-}
-
 // Written so that NaN fails.
 bool is_share(double value) {
     return value >= 0.0 && value <= 1.0;
@@ -34,9 +27,10 @@ bool is_possible(const EngineSettings& settings) {
            is_share(law.air_drag) && is_share(law.ground_friction) &&
            is_amount(settings.reference_rate) && settings.reference_rate > 0.0 &&
            is_amount(settings.fixed_rate) && settings.fixed_rate > 0.0 &&
-           is_amount(settings.max_speed) && is_amount(settings.forces.quadratic_drag) &&
-           std::isfinite(settings.forces.wind.x) && std::isfinite(settings.forces.wind.y) &&
-           settings.scale >= least_scale && settings.scale <= most_scale;
+           is_amount(settings.max_speed) && is_amount(settings.max_spawn_rate) &&
+           is_amount(settings.forces.quadratic_drag) && std::isfinite(settings.forces.wind.x) &&
+           std::isfinite(settings.forces.wind.y) && settings.scale >= least_scale &&
+           settings.scale <= most_scale;
 }
 
 MotionRules rules_of(const EngineSettings& settings) {
@@ -55,49 +49,6 @@ Engine::Engine(std::vector<Kind> kinds, const EngineSettings& settings, std::uin
     : kinds_(std::move(kinds)), settings_(settings), rules_(rules_of(settings)), random_(seed) {
     HYRAX_CHECK(!kinds_.empty());
     HYRAX_CHECK(is_possible(settings));
-}
-
-Result<PetId> Engine::spawn(const SpawnOptions& options) {
-    const std::optional<std::size_t> kind = kind_named(options.kind);
-    if (!kind) {
-        return failure(fmt::format("spawn: there is no kind of pet named \"{}\"", options.kind));
-    }
-    if (pets_.size() >= settings_.max_pets) {
-        return failure(fmt::format(
-            "spawn: the population limit of {} pets is reached (config.json: /pets/max)",
-            settings_.max_pets
-        ));
-    }
-    if (arena_.empty()) {
-        return failure("spawn: no monitor is known, so there is no place for a pet");
-    }
-    for (const Vec2 numbers : {options.velocity, options.at.value_or(Vec2{})}) {
-        if (const auto checked = require_finite(numbers, "spawn"); !checked) {
-            return std::unexpected(checked.error());
-        }
-    }
-    for (const auto& checked :
-         {require_scale(options.scale, "spawn"), require_opacity(options.opacity, "spawn")}) {
-        if (!checked) {
-            return std::unexpected(checked.error());
-        }
-    }
-
-    Pet pet;
-    pet.kind = *kind;
-    pet.owner = options.owner;
-    pet.tag = options.tag;
-    pet.scale = options.scale;
-    pet.opacity = options.opacity;
-    const Vec2 at = options.at ? *options.at : random_entrance();
-    size_up(pet, at);
-    place(pet, at);
-    pet.spawn_position = pet.position();
-    pet.faces_left = options.velocity.x < 0.0;
-    const PetId id = pets_.insert(std::move(pet));
-    launch(id, *pets_.find(id), options.velocity);
-    emit({.kind = EventKind::spawn, .pet = id});
-    return id;
 }
 
 template <typename Act>
@@ -291,7 +242,7 @@ void Engine::place(Pet& pet, Vec2 position) {
     pet.home = arena_.box_near({at.x + size.width / 2.0, at.y + size.height / 2.0});
 }
 
-// The body begins anew where the pet is shown.
+// Its motion begins anew, at the next start of its body.
 void Engine::relaunch(Pet& pet, Vec2 velocity) {
     pet.shown.velocity = velocity;
     pet.body.launch(pet.position(), velocity, rules_, around(pet), wall_events());
@@ -338,19 +289,6 @@ Vec2 Engine::capped(Vec2 velocity) const {
     const Vec2 within{std::clamp(velocity.x, -limit, limit), std::clamp(velocity.y, -limit, limit)};
     const double speed = std::hypot(within.x, within.y);
     return speed > limit ? within * (limit / speed) : within;
-}
-
-Vec2 Engine::random_entrance() {
-    const std::vector<Rect>& boxes = arena_.boxes();
-    const auto index = static_cast<std::size_t>(random_unit() * static_cast<double>(boxes.size()));
-    const Rect& box = boxes[std::min(index, boxes.size() - 1)];
-    return {box.x + random_unit() * box.width, static_cast<double>(box.y)};
-}
-
-double Engine::random_unit() {
-    // minstd_rand is specified to the bit; the library's distributions are not.
-    return static_cast<double>(random_() - std::minstd_rand::min()) /
-           (static_cast<double>(std::minstd_rand::max() - std::minstd_rand::min()) + 1.0);
 }
 
 void Engine::emit(const Event& event) {

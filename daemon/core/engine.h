@@ -7,6 +7,7 @@
 #include "daemon/core/event.h"
 #include "daemon/core/ledges.h"
 #include "daemon/core/pet.h"
+#include "daemon/core/quota.h"
 #include "daemon/core/result.h"
 #include "daemon/core/slot_map.h"
 #include "daemon/core/spaces.h"
@@ -50,10 +51,12 @@ struct EngineSettings {
     PhysicsConstants physics{};
     Integrator integrator = Integrator::event_driven;
     double reference_rate = default_reference_rate;  ///< Frames a second of the multipliers.
-    double fixed_rate = 240.0;    ///< Steps a second of semi_implicit_euler_fixed.
-    ForceField forces{};          ///< Any but none makes rk45 the integrator.
-    SpringConstants hand{};       ///< Holds a grabbed pet on the pointer.
-    std::size_t max_pets = 100;   ///< Population cap on every path that spawns.
+    double fixed_rate = 240.0;   ///< Steps a second of semi_implicit_euler_fixed.
+    ForceField forces{};         ///< Any but none makes rk45 the integrator.
+    SpringConstants hand{};      ///< Holds a grabbed pet on the pointer.
+    std::size_t max_pets = 100;  ///< Population cap on every path that spawns.
+    /// New pets a second on every path, after max_pets and this many at once.
+    double max_spawn_rate = 100.0;
     double max_speed = 20'000.0;  ///< Velocities set from outside are shortened to this [px/s].
     double scale = 1.0;           ///< Of all pets, least_scale to most_scale.
     bool scale_with_dpi = true;   ///< Pets grow with the scale of the monitor under their feet.
@@ -80,6 +83,9 @@ struct SpawnOptions {
     double opacity = 1.0;  ///< least_opacity to 1
 };
 
+/// Fails on a number that is not finite; the message names the verb.
+[[nodiscard]] Result<void> require_finite(Vec2 v, std::string_view verb);
+
 /// Fails on a scale that is not from least_scale to most_scale; the message names the verb.
 [[nodiscard]] Result<void> require_scale(double scale, std::string_view verb);
 
@@ -90,8 +96,9 @@ struct SpawnOptions {
 Size scaled(Size size, double scale);
 
 /// Owned by one thread. Every verb that fails changes nothing; it fails on a stale id, on numbers
-/// that are not finite, on an unknown kind, on a full population and while no monitor is known.
-/// A held pet belongs to the hand: fling, push, stop, reset and move_to leave it as it is.
+/// that are not finite, on an unknown kind, on a full population, too many new pets a second and
+/// while no monitor is known. A held pet belongs to the hand: fling, push, stop, reset and move_to
+/// leave it as it is.
 class Engine {
 public:
     /// `seed` decides where pets appear that are spawned without a position.
@@ -260,6 +267,7 @@ private:
         return is_heard(EventKind::bounce) ? WallEvents::wanted : WallEvents::not_wanted;
     }
     Vec2 capped(Vec2 velocity) const;
+    // engine_spawn.cpp
     Vec2 random_entrance();
     double random_unit();
     void emit(const Event& event);
@@ -281,6 +289,7 @@ private:
     EventMask watching_;
     Collisions collisions_;
     std::uint64_t contacts_ = 0;
+    Quota spawns_;
     std::minstd_rand random_;
     Ticks now_ = 0;
 };

@@ -134,6 +134,7 @@ void Engine::put(PetId id, Pet& pet, Vec2 position) {
 
 // After a frame. Between frames the feet's path is the same in either size, so that only a wall
 // met in this very frame depends on when it begins.
+// Within a frame, whose list of pets must stay as it is.
 void Engine::follow_screen(PetId id, Pet& pet, Ticks own) {
     const std::size_t screen = arena_.screen_of(feet(pet), pet.screen);
     if (screen == pet.screen) {

@@ -231,6 +231,15 @@ Ticks next_plan(std::span<const Pane> panes) {
     return next;
 }
 
+std::vector<Rect> places_of(const Frame& frame) {
+    std::vector<Rect> places;
+    places.reserve(frame.sprites.size());
+    for (const Sprite& sprite : frame.sprites) {
+        places.push_back(sprite.bounds());
+    }
+    return places;
+}
+
 std::vector<Rect> changed_places(const Frame& before, const Frame& after) {
     if (!same_cast(before, after)) {
         return changed_cast(before, after);

@@ -41,6 +41,9 @@ std::vector<Pane> plan_panes(
 /// When to plan again although no sprite moves, because a pane may shrink then; `never` if none.
 Ticks next_plan(std::span<const Pane> panes);
 
+/// Where the frame's sprites stand, in their order.
+std::vector<Rect> places_of(const Frame& frame);
+
 /// The old and the new place of each sprite that differs between two frames.
 std::vector<Rect> changed_places(const Frame& before, const Frame& after);
 

@@ -33,24 +33,28 @@ bool RemoteScriptHost::may_run(const ScriptSource& script) const {
 
 void RemoteScriptHost::load(std::vector<ScriptSource> sources) {
     sources_ = std::move(sources);
-    if (sources_.empty()) {
-        out_.clear();
-    } else {
-        // What is known of texts that are no more.
-        const auto is_gone = [this](const auto& text) {
-            return std::ranges::none_of(sources_, [&text](const ScriptSource& source) {
-                return source.name == text.name && source.text == text.text;
-            });
-        };
-        std::erase_if(out_, is_gone);
-        std::erase_if(kills_, [&](const auto& entry) { return is_gone(entry.first); });
-    }
+    const auto named = [this](const std::string& name) {
+        return std::ranges::find(sources_, name, &ScriptSource::name);
+    };
+    // Neither wanted nor a stand-in.
+    const auto is_past = [&](const ScriptSource& text) {
+        const auto wanted = named(text.name);
+        const auto good = good_.find(text.name);
+        return wanted != sources_.end() && wanted->text != text.text &&
+               (good == good_.end() || good->second.text != text.text);
+    };
+    std::erase_if(good_, [&](const auto& entry) { return named(entry.first) == sources_.end(); });
+    std::erase_if(out_, [&](const ScriptSource& text) {
+        return named(text.name) == sources_.end() || is_past(text);
+    });
+    std::erase_if(kills_, [&](const auto& entry) { return is_past(entry.first); });
     fresh_ = true;
-    last_ = {};
     retry_at_ = 0;
-    if (std::ranges::none_of(sources_, [this](const auto& each) { return may_run(each); })) {
-        stop();
-    }
+}
+
+void RemoteScriptHost::renew() {
+    out_.clear();
+    anew_ = true;
 }
 
 void RemoteScriptHost::stop() {
@@ -65,7 +69,6 @@ void RemoteScriptHost::stop() {
 
 ScriptOutput RemoteScriptHost::run(const ScriptWorld& world, std::span<const ScriptEvent> events) {
     ScriptOutput output;
-    keep_up(world);
     outgoing_.clear();
     if ((fresh_ || !running_) && !start(output)) {
         return output;
@@ -78,16 +81,32 @@ ScriptOutput RemoteScriptHost::run(const ScriptWorld& world, std::span<const Scr
     return output;
 }
 
-// False when there is nothing to run, or no process to run it in.
-bool RemoteScriptHost::start(ScriptOutput& output) {
+// Who may not run is replaced by what ran before, if that may.
+std::vector<ScriptSource> RemoteScriptHost::to_run() const {
     std::vector<ScriptSource> sources;
     for (const ScriptSource& source : sources_) {
-        if (may_run(source) && sources.size() < wire::most_scripts) {
-            sources.push_back(source);
+        const ScriptSource* const one = may_run(source) ? &source : stand_in(source);
+        if (one != nullptr && sources.size() < wire::most_scripts) {
+            sources.push_back(*one);
+            sources.back().store = source.store;
+            sources.back().config = source.config;
         }
     }
-    if (sources.empty()) {
-        stop();
+    return sources;
+}
+
+const ScriptSource* RemoteScriptHost::stand_in(const ScriptSource& script) const {
+    const auto found = good_.find(script.name);
+    const bool helps = found != good_.end() && found->second.text != script.text &&
+                       kills_.find(found->second) == kills_.end() && !out_.contains(found->second);
+    return helps ? &found->second : nullptr;
+}
+
+// False when there is nothing to run, or no process to run it in.
+bool RemoteScriptHost::start(ScriptOutput& output) {
+    std::vector<ScriptSource> sources = to_run();
+    if (sources.empty() && !running_) {
+        fresh_ = false;
         return false;
     }
     if (!running_) {
@@ -105,13 +124,18 @@ bool RemoteScriptHost::start(ScriptOutput& output) {
     }
     wire::encode(
         outgoing_,
-        wire::Load{.limits = limits_, .scripts = static_cast<std::uint32_t>(sources.size())}
+        wire::Load{
+            .limits = limits_,
+            .scripts = static_cast<std::uint32_t>(sources.size()),
+            .anew = std::exchange(anew_, false),
+        }
     );
     for (const ScriptSource& source : sources) {
         wire::encode(outgoing_, source);
     }
     sent_ = std::move(sources);
     fresh_ = false;
+    untried_ = true;
     return true;
 }
 
@@ -179,41 +203,46 @@ void RemoteScriptHost::accept(const wire::Answer& answer) {
     failures_ = 0;
     output_ = answer.output;
     keep_up(answer.output);
-    for (const std::uint32_t place : answer.output.ended) {
-        if (place < sent_.size()) {
-            out_.insert(sent_[place]);
-        }
-    }
+    const bool others_end = put_out(answer.output.ended);
     if (fresh_) {
-        // Of scripts that have been replaced meanwhile; the new ones are to start.
-        output_->listening = {};
-        output_->next_wake = 0;
+        output_->next_wake = 0;  // Others have been loaded meanwhile.
+    } else if (sent_.empty() || (others_end && to_run().empty())) {
+        std::optional<ScriptOutput> last_words = std::move(output_);
+        stop();
+        output_ = std::move(last_words);
     }
     last_.listening = output_->listening;
 }
 
-// A process that starts again is sent what scripts have kept and been told since they were loaded.
-void RemoteScriptHost::keep_up(const ScriptWorld& world) {
-    for (const ScriptSetting& setting : world.new_settings) {
-        if (ScriptSource* const source = source_named(setting.script)) {
-            set_field(source->config, setting.key, setting.value);
+// True if that was news.
+bool RemoteScriptHost::put_out(const std::vector<std::uint32_t>& places) {
+    std::vector<bool> ended(sent_.size());
+    bool news = false;
+    for (const std::uint32_t place : places) {
+        if (place < sent_.size()) {
+            ended[place] = true;
+            news = out_.insert(sent_[place]).second || news;
         }
     }
+    for (std::size_t place = 0; untried_ && place < sent_.size(); ++place) {
+        if (!ended[place]) {
+            good_[sent_[place].name] = sent_[place];
+        }
+    }
+    untried_ = false;
+    return news;
 }
 
+// A process that starts again is sent what scripts have kept since they were loaded.
 void RemoteScriptHost::keep_up(const ScriptOutput& output) {
     for (const ScriptCommand& command : output.commands) {
-        const auto* const store = std::get_if<command::Store>(&command);
-        ScriptSource* const source = store != nullptr ? source_named(store->script) : nullptr;
-        if (source != nullptr) {
-            set_field(source->store, store->key, store->value);
+        if (const auto* const store = std::get_if<command::Store>(&command)) {
+            const auto source = std::ranges::find(sources_, store->script, &ScriptSource::name);
+            if (source != sources_.end()) {
+                set_field(source->store, store->key, store->value);
+            }
         }
     }
-}
-
-ScriptSource* RemoteScriptHost::source_named(std::string_view name) {
-    const auto found = std::ranges::find(sources_, name, &ScriptSource::name);
-    return found == sources_.end() ? nullptr : &*found;
 }
 
 void RemoteScriptHost::look_after(const ScriptChannel::End& end) {
@@ -235,7 +264,8 @@ void RemoteScriptHost::end_process(std::string_view reason, bool blame) {
     output_->next_wake = 0;
     if (blame && running != 0 && running <= sent_.size()) {
         const ScriptSource culprit = sent_[running - 1];
-        put_out(culprit);
+        out_.insert(culprit);
+        ++kills_[culprit];
         const bool often = kills_[culprit] >= most_kills;
         output_->log.push_back({
             LogLevel::error,
@@ -244,8 +274,9 @@ void RemoteScriptHost::end_process(std::string_view reason, bool blame) {
                 "{}: {}; {}",
                 culprit.name,
                 reason,
-                often ? "stopped for the third time: it stays out until its text changes"
-                      : "stopped until it is loaded again"
+                stand_in(culprit) != nullptr ? "its text before this one goes on"
+                : often ? "stopped for the third time: it stays out until its text changes"
+                        : "stopped until it is loaded again"
             ),
         });
     } else {
@@ -256,11 +287,6 @@ void RemoteScriptHost::end_process(std::string_view reason, bool blame) {
     if (!sent_.empty()) {
         output_->log.push_back(about_host(LogLevel::warning, "all other scripts start again"));
     }
-}
-
-void RemoteScriptHost::put_out(const ScriptSource& script) {
-    out_.insert(script);
-    ++kills_[script];
 }
 
 }  // namespace hyrax

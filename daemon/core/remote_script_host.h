@@ -20,8 +20,9 @@
 namespace hyrax {
 
 /// The process starts with the first run() after a load() and ends when nothing is left to run.
-/// A script that hangs or crashes it stays out until its text changes or everything is loaded anew
-/// (load({}) and load() again); after three times in a session, only its text helps.
+/// A text that hangs or crashes it, or fails, stays out until it changes or everything is loaded
+/// anew (renew()); after three times in a session, only another text helps. Meanwhile the text that
+/// the script ran with before stands in for it.
 class RemoteScriptHost final : public ScriptHost {
 public:
     static constexpr int most_kills = 3;
@@ -30,6 +31,7 @@ public:
 
     void set_limits(const ScriptLimits& limits) override { limits_ = limits; }
     void load(std::vector<ScriptSource> sources) override;
+    void renew() override;
     ScriptOutput run(const ScriptWorld& world, std::span<const ScriptEvent> events) override;
 
     bool busy() const override { return waiting_ || now_ < retry_at_; }
@@ -49,26 +51,29 @@ private:
     };
 
     void stop();
-    void keep_up(const ScriptWorld& world);
     void keep_up(const ScriptOutput& output);
-    ScriptSource* source_named(std::string_view name);
+    std::vector<ScriptSource> to_run() const;
     bool start(ScriptOutput& output);
     void hear();
     void accept(const wire::Answer& answer);
     void look_after(const ScriptChannel::End& end);
     void end_process(std::string_view reason, bool blame);
-    void put_out(const ScriptSource& script);
+    bool put_out(const std::vector<std::uint32_t>& places);
     bool may_run(const ScriptSource& script) const;
+    const ScriptSource* stand_in(const ScriptSource& script) const;
 
     std::unique_ptr<ScriptChannel> channel_;
     ScriptLimits limits_;
-    std::vector<ScriptSource> sources_;  // As loaded.
-    std::vector<ScriptSource> sent_;     // Those that the process knows, by their places.
+    std::vector<ScriptSource> sources_;         // As loaded.
+    std::vector<ScriptSource> sent_;            // Those that the process knows, by their places.
+    std::map<std::string, ScriptSource> good_;  // By name, the latest one that was loaded well.
     std::set<ScriptSource, ByText> out_;
     std::map<ScriptSource, int, ByText> kills_;
 
     bool running_ = false;
     bool fresh_ = false;    // The process has to be sent the sources.
+    bool anew_ = false;     // It has to load all of them anew.
+    bool untried_ = false;  // It has not answered since it was sent them.
     bool waiting_ = false;  // For an answer.
     std::uint64_t number_ = 0;
     ScriptOutput last_;  // Its listening and next_wake alone.

@@ -62,18 +62,32 @@ void ScriptBridge::load(std::vector<ScriptSource> sources) {
     if (!host_ || (sources.empty() && !loaded_)) {
         return;
     }
-    loaded_ = !sources.empty();
-    errors_.clear();
+    loaded_ = true;
+    unloading_ = sources.empty();
     permissions_.clear();
+    std::map<std::string, std::string> texts;
     for (const ScriptSource& source : sources) {
         permissions_.insert(
             permissions_.end(), source.permissions.begin(), source.permissions.end()
         );
+        texts.emplace(source.name, source.text);
     }
-    new_settings_.clear();
+    std::erase_if(errors_, [&](const auto& error) {
+        const auto now = texts.find(error.first);
+        const auto before = texts_.find(error.first);
+        return now == texts.end() || before == texts_.end() || now->second != before->second;
+    });
+    texts_ = std::move(texts);
     pressed_hotkeys_.clear();
     host_->load(std::move(sources));
     next_wake_ = 0;
+}
+
+void ScriptBridge::renew() {
+    errors_.clear();
+    if (host_) {
+        host_->renew();
+    }
 }
 
 void ScriptBridge::set_limits(const ScriptLimits& limits) {
@@ -96,7 +110,7 @@ Ticks ScriptBridge::next_wake() const {
 }
 
 void ScriptBridge::run(Engine& engine, const std::vector<Monitor>& monitors, Ticks now) {
-    if (!loaded_ && next_wake_ == never) {
+    if (!loaded_) {
         return;
     }
     queue_events(engine);
@@ -110,6 +124,9 @@ void ScriptBridge::run(Engine& engine, const std::vector<Monitor>& monitors, Tic
     }
     apply_commands(engine);
     forget_removed(engine);
+    if (unloading_ && next_wake() == never && !host_->busy()) {
+        loaded_ = unloading_ = false;
+    }
 }
 
 void ScriptBridge::end(Engine& engine, const std::vector<Monitor>& monitors, Ticks now) {
@@ -155,13 +172,6 @@ bool ScriptBridge::anybody_may(std::string_view permission) const {
 void ScriptBridge::see(std::optional<Vec2> cursor, std::vector<Rect> windows) {
     cursor_ = cursor;
     windows_ = std::move(windows);
-}
-
-void ScriptBridge::tell(ScriptSetting setting) {
-    if (loaded_) {
-        new_settings_.push_back(std::move(setting));
-        next_wake_ = 0;
-    }
 }
 
 void ScriptBridge::tell(PressedHotkey hotkey) {
@@ -222,7 +232,6 @@ ScriptWorld ScriptBridge::snapshot(
         .kinds = engine.kinds(),
         .cursor = cursor_,
         .windows = windows_,
-        .new_settings = std::exchange(new_settings_, {}),
         .pressed_hotkeys = std::exchange(pressed_hotkeys_, {}),
     };
     for (Kind& kind : world.kinds) {

@@ -31,8 +31,10 @@ public:
 
     /// Counts from the next load() on.
     void set_limits(const ScriptLimits& limits);
-    /// Replaces all scripts; they start with the next run().
+    /// These are to run from the next run() on, as ScriptHost::load() has it.
     void load(std::vector<ScriptSource> sources);
+    /// The next load() takes every text for a new one, those that were ended too.
+    void renew();
     /// Hands over the engine's events, runs what is due at `now` and applies the commands. Failures
     /// are logged, the first one of a frame and how many there were; a command for a pet that has
     /// gone meanwhile is dropped.
@@ -44,7 +46,7 @@ public:
     /// Scripts run on, but what moves or spawns pets is refused, with a warning for each verb.
     void set_quiet(bool quiet);
     bool quiet() const { return quiet_; }
-    /// The latest error of each script since load(), by the script's name.
+    /// The latest error of each script that it has not been replaced since, by its name.
     const std::map<std::string, std::string>& errors() const { return errors_; }
     /// When run() has something to do, apart from events.
     Ticks next_wake() const;
@@ -59,7 +61,6 @@ public:
     /// What scripts with the permissions see from now on.
     void see(std::optional<Vec2> cursor, std::vector<Rect> windows);
     /// Told in the next run, which is due at once.
-    void tell(ScriptSetting setting);
     void tell(PressedHotkey hotkey);
     /// Commands of scripts that are not for the engine (Store, Notify, Hotkey), since the last
     /// call.
@@ -79,19 +80,20 @@ private:
     void forget_removed(const Engine& engine);
 
     std::unique_ptr<ScriptHost> host_;
-    bool loaded_ = false;
+    bool loaded_ = false;     // Somebody runs, or has not been told of the end yet.
+    bool unloading_ = false;  // Nobody is to run any more.
     bool calm_ = false;
     bool quiet_ = false;
     Ticks next_wake_ = never;
     std::set<std::string_view> refused_;  // Verbs that have been told of.
     std::map<std::string, std::string> errors_;
+    std::map<std::string, std::string> texts_;  // By name, as loaded.
     std::deque<ScriptEvent> events_;
     std::size_t dropped_events_ = 0;
     std::deque<ScriptCommand> commands_;
     std::vector<std::string> permissions_;  // Of all scripts together.
     std::optional<Vec2> cursor_;
     std::vector<Rect> windows_;
-    std::vector<ScriptSetting> new_settings_;
     std::vector<PressedHotkey> pressed_hotkeys_;
     std::vector<ScriptCommand> wishes_;
     // Pets that scripts spawned, both ways; all others have keys made from their ids.

@@ -43,6 +43,7 @@ struct ScriptLimits {
     /// on the wall.
     std::chrono::nanoseconds (*processor_time)() = nullptr;
     ScriptPulse* pulse = nullptr;  ///< Where signs of life go; null: nowhere.
+    bool operator==(const ScriptLimits&) const = default;
 };
 
 }  // namespace hyrax

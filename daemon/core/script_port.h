@@ -43,13 +43,6 @@ struct PetView {
     std::optional<Vec2> spawned_at{};  ///< Where reset() puts it [px]; none: not known.
 };
 
-/// The user has changed a setting of a script.
-struct ScriptSetting {
-    std::string script;
-    std::string key;
-    ScriptValue value;
-};
-
 /// As command::Hotkey named it.
 struct PressedHotkey {
     std::string script;
@@ -66,7 +59,6 @@ struct ScriptWorld {
     std::optional<Vec2> cursor{};  ///< Where a script may know it [px]; none: not known.
     std::vector<Rect> windows{
     };  ///< Of other programs, the topmost first, where a script may know.
-    std::vector<ScriptSetting> new_settings{};
     std::vector<PressedHotkey> pressed_hotkeys{};
     /// The daemon ends: scripts hear it in `unload`, and nothing afterwards.
     bool ending = false;
@@ -190,7 +182,8 @@ struct ScriptOutput {
     std::vector<ScriptLog> log;
     EventMask listening;      ///< The events that some handler waits for.
     Ticks next_wake = never;  ///< The next timer or tick.
-    /// Places, in what was loaded, of the scripts that have been ended by their limits.
+    /// Places, in what was loaded, of texts that do not run: ended by their limits, or not loaded
+    /// because of an error.
     std::vector<std::uint32_t> ended{};
     std::vector<ScriptTest> tests{};
     std::size_t open_tests = 0;  ///< Cases that have not ended yet.
@@ -222,10 +215,14 @@ public:
     ScriptHost& operator=(const ScriptHost&) = delete;
     virtual ~ScriptHost() = default;
 
-    /// Counts from the next load() on.
+    /// Counts from the next load() on, for every script.
     virtual void set_limits(const ScriptLimits& /*limits*/) {}
-    /// Replaces all scripts by these; their main chunks run in the next run().
+    /// These are to run from the next run() on. Who runs with the same text goes on, and hears of
+    /// changed settings; who has another text is replaced once the new one has been loaded without
+    /// an error, and goes on otherwise; who is not named is unloaded.
     virtual void load(std::vector<ScriptSource> sources) = 0;
+    /// The next load() takes every text for a new one, those that were ended too.
+    virtual void renew() {}
     /// Runs what is due: main chunks, handlers of the events, timers up to `world.now`. A host that
     /// works elsewhere only sends the order, is then busy(), and has its output later.
     virtual ScriptOutput run(const ScriptWorld& world, std::span<const ScriptEvent> events) = 0;

@@ -20,6 +20,11 @@ struct ScriptPulse {
         calls.fetch_add(1, std::memory_order_relaxed);
         beat();
     }
+    /// The same script goes on with another call.
+    void call() {
+        calls.fetch_add(1, std::memory_order_relaxed);
+        beat();
+    }
     void leave() { script.store(0, std::memory_order_relaxed); }
     void beat() { beats.fetch_add(1, std::memory_order_relaxed); }
 };

@@ -42,17 +42,18 @@ inline constexpr std::size_t most_commands = most_commands_in_all;
 inline constexpr std::size_t most_lines = 2'000;
 inline constexpr std::size_t most_animations = 1'000;
 inline constexpr std::size_t most_windows = 1'000;
-inline constexpr std::size_t most_told = 1'000;  ///< Changed settings, or pressed hotkeys.
+inline constexpr std::size_t most_told = 1'000;  ///< Pressed hotkeys.
 inline constexpr std::size_t most_permissions = 64;
 inline constexpr std::size_t most_tests = 10'000;
 inline constexpr std::size_t longest_text = std::size_t{1} << 20U;  ///< In a value [bytes].
 inline constexpr std::size_t most_values = 500'000;  ///< In a message, those within values too.
 inline constexpr std::size_t deepest_value = 32;     ///< Lists and tables within each other.
 
-/// So many sources follow, which replace all scripts.
+/// So many sources follow: ScriptHost::load(), after renew() if `anew`.
 struct Load {
     ScriptLimits limits;
     std::uint32_t scripts = 0;
+    bool anew = false;
 };
 
 struct Run {

@@ -99,12 +99,6 @@ void fields(auto& wire, Is<ScriptTable> auto& table) {
     wire.sorted(table);
 }
 
-void fields(auto& wire, Is<ScriptSetting> auto& setting) {
-    wire.text(setting.script, longest_name);
-    wire.text(setting.key, longest_name);
-    wire.nested(setting.value);
-}
-
 void fields(auto& wire, Is<PressedHotkey> auto& pressed) {
     wire.text(pressed.script, longest_name);
     wire.whole(pressed.id);
@@ -117,7 +111,6 @@ void fields(auto& wire, Is<ScriptWorld> auto& world) {
     wire.list(world.kinds, most_kinds);
     wire.finite(world.cursor);
     wire.list(world.windows, most_windows);
-    wire.list(world.new_settings, most_told);
     wire.list(world.pressed_hotkeys, most_told);
     wire.flag(world.ending);
 }
@@ -289,6 +282,7 @@ void fields(auto& wire, Is<ScriptLimits> auto& limits) {
 void fields(auto& wire, Is<Load> auto& load) {
     fields(wire, load.limits);
     wire.count(load.scripts, most_scripts);
+    wire.flag(load.anew);
 }
 
 void fields(auto& wire, Is<ScriptSource> auto& source) {

@@ -18,12 +18,13 @@ public:
         std::swap(value_, other.value_);
         return *this;
     }
-    ~FileDescriptor() {
+    ~FileDescriptor() { reset(); }
+
+    void reset() {
         if (value_ >= 0) {
-            ::close(value_);
+            ::close(std::exchange(value_, -1));
         }
     }
-
     int raw() const { return value_; }
     explicit operator bool() const { return value_ >= 0; }
 

@@ -42,6 +42,9 @@ Ticks HeadlessDesktop::window_change() const {
 }
 
 std::vector<Input> HeadlessDesktop::wait(Ticks deadline) {
+    if (before_time_moves_ && before_time_moves_()) {
+        return {input::ScriptsHeard{}};
+    }
     const Ticks input_time = next_ < inputs_.size() ? inputs_[next_].time : never;
     const Ticks window_time = window_change();
     const Ticks wake = std::min({deadline, input_time, window_time, end_});

@@ -37,6 +37,9 @@ public:
 
     /// Inputs may be added in any order; those of one moment keep theirs.
     void add(TimedInput input);
+    /// Called before time moves on: true if something else happened first, which the daemon then
+    /// hears of as an input::ScriptsHeard. So virtual time waits for scripts in another process.
+    void before_time_moves(std::function<bool()> wait) { before_time_moves_ = std::move(wait); }
     /// Does not tell the daemon: add an input::MonitorsChanged for that.
     void set_monitors(std::vector<Monitor> monitors) { monitors_ = std::move(monitors); }
 
@@ -83,6 +86,7 @@ private:
     Ticks window_change() const;
 
     std::vector<Monitor> monitors_;
+    std::function<bool()> before_time_moves_;
     std::vector<TimedWindows> windows_;
     WindowInterest interest_;
     Ticks told_ = 0;                  // Changes of windows up to here are known to the daemon.

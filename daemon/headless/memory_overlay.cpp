@@ -7,18 +7,6 @@
 #include <cstddef>
 
 namespace hyrax {
-namespace {
-
-std::vector<Rect> places_of(const Frame& frame) {
-    std::vector<Rect> places;
-    places.reserve(frame.sprites.size());
-    for (const Sprite& sprite : frame.sprites) {
-        places.push_back(sprite.bounds());
-    }
-    return places;
-}
-
-}  // namespace
 
 Frame flattened(const Frame& frame) {
     Frame flat{.sprites = frame.sprites, .kept_free = frame.kept_free};

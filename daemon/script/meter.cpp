@@ -25,6 +25,9 @@ constexpr std::size_t string_overhead = 64;
 }  // namespace
 
 void Meter::begin(std::int64_t units, std::chrono::nanoseconds time) {
+    if (limits_.pulse != nullptr) {
+        limits_.pulse->call();
+    }
     budget_ = units;
     units_ = units;
     time_ = time;
@@ -62,6 +65,9 @@ void Meter::stop(lua_State* lua) {
 
 void Meter::on_count(lua_State* lua, lua_Debug* /*call*/) {
     Meter& meter = Script::of(lua).meter;
+    if (meter.limits_.pulse != nullptr) {
+        meter.limits_.pulse->beat();
+    }
     meter.charge(lua, period);
     meter.look_at_clock(lua);
 }

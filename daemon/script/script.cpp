@@ -57,8 +57,8 @@ std::string message_of(lua_State* lua, int index) {
 
 Script::Script(const ScriptSource& source, const ScriptLimits& given)
     : limits(given),
-      meter(given),
-      journal(source.name, given),
+      meter(limits),
+      journal(source.name, limits),
       belongings(source),
       tests(source.testing),
       permissions_(source.permissions),
@@ -92,6 +92,13 @@ void Script::command(lua_State* lua, ScriptCommand command) {
     if (commands_ >= limits.commands) {
         luaL_error(
             lua, "limit of %d commands at one time reached", static_cast<int>(limits.commands)
+        );
+    }
+    if (run_->output.commands.size() >= most_commands_in_all) {
+        luaL_error(
+            lua,
+            "limit of %d commands of all scripts at one time reached",
+            static_cast<int>(most_commands_in_all)
         );
     }
     ++commands_;
@@ -179,6 +186,7 @@ void Script::report(lua_State* thread, int status) {
     // Lua catches every C++ exception, and calls those that are not its own -1.
     const std::string message =
         status < 0 ? "internal error of the script host" : message_of(thread, -1);
+    failed_ = true;
     if (tests.enabled() && !tests.fail(message)) {
         run_->output.tests.push_back({name(), outside_of_cases, message, 0.0});
     }

@@ -44,10 +44,11 @@ public:
 
     /// Opens a run. Everything below happens inside one.
     void begin(Run& run);
-    void run_main_chunk(const std::string& source);
+    /// False if it failed: then nothing of the script is left but its journal and its belongings.
+    [[nodiscard]] bool run_main_chunk(const std::string& source);
     void ready();
     void deliver(const ScriptEvent& event);
-    void change_setting(const ScriptSetting& setting);
+    void change_setting(const std::string& key, const ScriptValue& value);
     void press_hotkey(std::uint64_t id);
     /// Timers, waits and ticks up to the run's time.
     void run_due();
@@ -56,13 +57,15 @@ public:
     /// "exit".
     void unload(const char* reason);
     /// False once it was ended or paused: then it neither runs nor listens.
-    bool active() const { return !paused_ && !meter.killed(); }
+    bool active() const { return lua_ != nullptr && !paused_ && !meter.killed(); }
+    /// Ended by its limits or never loaded: for good.
+    bool ended() const { return lua_ == nullptr || meter.killed(); }
     EventMask listening() const { return active() ? schedule.listening() : EventMask{}; }
     Ticks next_wake() const { return active() ? schedule.next_wake() : never; }
 
     // --- for the functions that the script calls ---
 
-    const ScriptLimits& limits;
+    const ScriptLimits limits;
     Meter meter;
     Journal journal;
     WorldView view;
@@ -138,6 +141,7 @@ private:
     HostThread running_;  ///< Innermost coroutine of the host that is running.
     bool parked_ = false;
     bool paused_ = false;
+    bool failed_ = false;  ///< A call since the main chunk began has raised an error.
     bool unloading_ = false;
     std::vector<InnerWait> waiting_inside_;
     std::size_t commands_ = 0;

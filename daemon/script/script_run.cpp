@@ -27,8 +27,9 @@ void Script::begin(Run& run) {
     journal.begin_run(now(), run.output.log);
 }
 
-void Script::run_main_chunk(const std::string& source) {
+bool Script::run_main_chunk(const std::string& source) {
     loaded_at_ = now();
+    failed_ = false;
     meter.begin(limits.load_units, limits.load_time);
     protect([this, &source](lua_State* lua) {
         open_sandbox(lua, *this);
@@ -52,6 +53,12 @@ void Script::run_main_chunk(const std::string& source) {
         }
         start(lua, 0);
     });
+    if (!failed_ && active()) {
+        return true;
+    }
+    end();
+    close();
+    return false;
 }
 
 void Script::ready() {
@@ -78,18 +85,18 @@ void Script::deliver(const ScriptEvent& event) {
     }
 }
 
-void Script::change_setting(const ScriptSetting& setting) {
-    set_field(belongings.config, setting.key, setting.value);
+void Script::change_setting(const std::string& key, const ScriptValue& value) {
+    set_field(belongings.config, key, value);
     if (!active()) {
         return;
     }
     protect([&](lua_State* lua) {
-        push_value(lua, setting.value);
-        set_config(lua, setting.key);
+        push_value(lua, value);
+        set_config(lua, key);
     });
-    fire(Topic::config, 0, 0, [&setting](lua_State* lua, PetKey) {
-        lua_pushlstring(lua, setting.key.data(), setting.key.size());
-        push_value(lua, setting.value);
+    fire(Topic::config, 0, 0, [&](lua_State* lua, PetKey) {
+        lua_pushlstring(lua, key.data(), key.size());
+        push_value(lua, value);
         return 2;
     });
 }

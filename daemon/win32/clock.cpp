@@ -36,16 +36,31 @@ Ticks clock_now() {
     return seconds * ticks_per_second + rest * ticks_per_second / frequency.QuadPart;
 }
 
+WallTime wall_clock() {
+    constexpr std::int64_t per_second = 10'000'000;
+    constexpr std::int64_t from_1601_to_1970 = 11'644'473'600;
+    FILETIME utc{};
+    FILETIME local{};
+    ::GetSystemTimeAsFileTime(&utc);
+    ::FileTimeToLocalFileTime(&utc, &local);
+    const auto seconds = [](const FILETIME& time) {
+        const std::uint64_t high = time.dwHighDateTime;
+        return static_cast<std::int64_t>((high << 32U) | time.dwLowDateTime) / per_second;
+    };
+    return {seconds(utc) - from_1601_to_1970, static_cast<int>(seconds(local) - seconds(utc))};
+}
+
 std::chrono::nanoseconds thread_processor_time() {
     FILETIME created;
     FILETIME exited;
     FILETIME kernel{};
     FILETIME user{};
     ::GetThreadTimes(::GetCurrentThread(), &created, &exited, &kernel, &user);
-    const auto ticks_of_100_ns = [](const FILETIME& time) {
-        return (std::int64_t{time.dwHighDateTime} << 32U) | time.dwLowDateTime;
-    };
-    return std::chrono::nanoseconds(100 * (ticks_of_100_ns(kernel) + ticks_of_100_ns(user)));
+    return std::chrono::nanoseconds(span_of(kernel) + span_of(user));
+}
+
+Ticks span_of(const FILETIME& time) {
+    return 100 * ((Ticks{time.dwHighDateTime} << 32U) | time.dwLowDateTime);
 }
 
 Alarm::Alarm() : timer_(make_timer()) {}

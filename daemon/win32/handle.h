@@ -33,6 +33,8 @@ public:
         }
     }
     T raw() const { return value_; }
+    /// The value, which somebody else closes from now on.
+    T release() { return std::exchange(value_, none); }
     explicit operator bool() const { return value_ != none; }
 
 private:

@@ -10,6 +10,9 @@ inline constexpr UINT tray_message = WM_APP + 1;
 /// wparam 1: the system has begun a message loop of its own; 0: it has ended.
 inline constexpr UINT modal_message = WM_APP + 2;
 
+/// The menu that show_menu() has been given is to be opened.
+inline constexpr UINT menu_message = WM_APP + 3;
+
 /// Another program's window has come to the front.
 inline constexpr UINT front_message = WM_APP + 20;
 /// From the shell, to appbars.

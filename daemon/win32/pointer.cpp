@@ -30,8 +30,12 @@ WPARAM key_of(Button button) {
 
 }  // namespace
 
-std::optional<LRESULT> Pointer::on_pane_message(HWND pane, HWND capturer, UINT message) {
+std::optional<LRESULT> Pointer::on_pane_message(
+    HWND pane, HWND capturer, UINT message, WPARAM wparam
+) {
     switch (message) {
+        case WM_MOUSEWHEEL:
+            return turn(pane, wparam) ? std::optional<LRESULT>(0) : std::nullopt;
         case WM_MOUSEACTIVATE:
             return MA_NOACTIVATE;
         case WM_DPICHANGED:
@@ -89,6 +93,21 @@ void Pointer::give_up() {
     if (held_) {
         ::ReleaseCapture();
     }
+}
+
+/// Comes for the pane under the pointer only where Windows scrolls inactive windows.
+bool Pointer::turn(HWND pane, WPARAM wparam) {
+    const Point at = message_point();
+    if ((GET_KEYSTATE_WPARAM(wparam) & MK_CONTROL) == 0 || !overlay_.has_pixel_at(pane, at)) {
+        return false;
+    }
+    wheel_rest_ += GET_WHEEL_DELTA_WPARAM(wparam);
+    const int steps = wheel_rest_ / WHEEL_DELTA;
+    wheel_rest_ %= WHEEL_DELTA;
+    if (steps != 0) {
+        inbox_.emplace_back(input::Turned{at, steps});
+    }
+    return true;
 }
 
 void Pointer::move(WPARAM held_keys) {

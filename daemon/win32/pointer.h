@@ -16,15 +16,16 @@ class Pointer {
 public:
     Pointer(Overlay& overlay, std::vector<Input>& inbox) : overlay_(overlay), inbox_(inbox) {}
 
-    std::optional<LRESULT> on_pane_message(HWND pane, HWND capturer, UINT message);
     /// Lets go of the mouse, as if another program had taken it.
     void give_up();
+    std::optional<LRESULT> on_pane_message(HWND pane, HWND capturer, UINT message, WPARAM wparam);
     std::optional<LRESULT> on_capturer_message(
         HWND capturer, UINT message, WPARAM wparam, LPARAM lparam
     );
 
 private:
     std::optional<LRESULT> press(HWND pane, HWND capturer, Button button);
+    bool turn(HWND pane, WPARAM wparam);
     void move(WPARAM held_keys);
     void release(Button button);
     void lose();
@@ -32,6 +33,7 @@ private:
     Overlay& overlay_;
     std::vector<Input>& inbox_;
     std::optional<Button> held_;
+    int wheel_rest_ = 0;  ///< Of a notch that is not complete.
 };
 
 }  // namespace hyrax::win32

@@ -84,6 +84,7 @@ Result<Folders> find_folders() {
         return std::unexpected(program.error());
     }
     Folders folders;
+    folders.executable = *program;
     folders.program = program->parent_path();
     std::error_code ignored;
     if (std::filesystem::exists(folders.program / L"hyrax.portable", ignored) &&
@@ -112,6 +113,14 @@ Result<void> open_in_editor(const std::filesystem::path& file) {
         return {};
     }
     return std::unexpected(system_error("cannot open " + utf8(file.wstring())));
+}
+
+Result<void> open_folder(const std::filesystem::path& folder) {
+    const ComSession com;
+    if (shell_open(folder.wstring(), nullptr)) {
+        return {};
+    }
+    return std::unexpected(system_error("cannot open " + utf8(folder.wstring())));
 }
 
 }  // namespace hyrax::win32

@@ -16,6 +16,7 @@ void harden_process();
 bool runs_under_wine();
 
 struct Folders {
+    std::filesystem::path executable;
     std::filesystem::path program;  ///< Of the executable.
     std::filesystem::path profile;  ///< config.json, scripts and sprites of the user.
     std::filesystem::path state;    ///< Logs and what the daemon remembers.
@@ -29,5 +30,7 @@ struct Folders {
 /// Opens a file with the program that the user has for it, else with Notepad. May take seconds;
 /// for a thread that may block.
 [[nodiscard]] Result<void> open_in_editor(const std::filesystem::path& file);
+/// The same for a folder, in Explorer.
+[[nodiscard]] Result<void> open_folder(const std::filesystem::path& folder);
 
 }  // namespace hyrax::win32

@@ -27,6 +27,14 @@ int refresh_rate_of(const wchar_t* device) {
     return known ? static_cast<int>(mode.dmDisplayFrequency) : 0;
 }
 
+/// Names the device itself; \\.\DISPLAY1 may be another one after a sleep. Empty if unknown.
+std::string interface_path(const wchar_t* display) {
+    DISPLAY_DEVICEW device{};
+    device.cb = sizeof device;
+    const BOOL known = ::EnumDisplayDevicesW(display, 0, &device, EDD_GET_DEVICE_INTERFACE_NAME);
+    return known != 0 ? utf8(device.DeviceID) : std::string();
+}
+
 BOOL CALLBACK add_monitor(HMONITOR handle, HDC, RECT*, LPARAM list) noexcept {
     MONITORINFOEXW info{};
     info.cbSize = sizeof info;
@@ -39,6 +47,7 @@ BOOL CALLBACK add_monitor(HMONITOR handle, HDC, RECT*, LPARAM list) noexcept {
             .work = rect_from(info.rcWork),
             .primary = (info.dwFlags & MONITORINFOF_PRIMARY) != 0,
             .name = utf8(info.szDevice),
+            .id = interface_path(info.szDevice),
             .scale = monitor_scale(handle),
             .refresh_rate = refresh_rate_of(info.szDevice),
         });

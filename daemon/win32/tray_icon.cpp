@@ -36,7 +36,8 @@ bool shell_notify(DWORD action, NOTIFYICONDATAW& data) {
 std::wstring tip_text(const Status& status) {
     const std::string pets =
         status.pets == 1 ? std::string("1 pet") : std::to_string(status.pets) + " pets";
-    std::string text = "hyrax\n" + pets + (status.paused ? ", paused" : "");
+    std::string text = "hyrax\n" + pets + (status.paused ? ", paused" : "") +
+                       (status.hidden ? ", hidden" : "") + (status.quiet ? ", quiet" : "");
     if (!status.problem.empty()) {
         text += "\n" + status.problem;
     }
@@ -124,6 +125,18 @@ void TrayIcon::set_tip(const std::wstring& tip) {
         NOTIFYICONDATAW icon = data();
         shell_(NIM_MODIFY, icon);
     }
+}
+
+void TrayIcon::notify(const std::wstring& text) {
+    if (!shown_) {
+        return;
+    }
+    NOTIFYICONDATAW icon = data();
+    icon.uFlags |= NIF_INFO;
+    icon.dwInfoFlags = NIIF_INFO | NIIF_RESPECT_QUIET_TIME;
+    std::ranges::copy(std::wstring_view(L"hyrax"), icon.szInfoTitle);
+    std::ranges::copy(shortened(text, std::size(icon.szInfo) - 1), icon.szInfo);
+    shell_(NIM_MODIFY, icon);
 }
 
 void TrayIcon::take_focus() {

@@ -4,58 +4,56 @@
 #include "daemon/win32/handle.h"
 #include "daemon/win32/text.h"
 
-#include <utility>
+#include <vector>
 
 namespace hyrax::win32 {
 
 namespace {
 
-/// A longer line would make the menu wider than a small screen.
-constexpr std::size_t longest_problem = 90;
+/// Fills a menu and numbers its items from 1, submenus included.
+class MenuBuilder {
+public:
+    Menu build(const MenuItems& items) {
+        Menu menu(::CreatePopupMenu());
+        for (const MenuItem& item : items) {
+            add(menu.raw(), item);
+        }
+        return menu;
+    }
+    MenuAction action(int number) const {
+        const auto index = static_cast<std::size_t>(number) - 1;
+        return number > 0 && index < numbered_.size() ? numbered_[index]->action : MenuAction{};
+    }
 
-void add(HMENU menu, MenuCommand command, const wchar_t* text, UINT flags = 0) {
-    ::AppendMenuW(menu, MF_STRING | flags, std::to_underlying(command), text);
-}
-
-void add_line(HMENU menu) {
-    ::AppendMenuW(menu, MF_SEPARATOR, 0, nullptr);
-}
-
-std::wstring menu_text(const std::string& text) {
-    const std::wstring whole = wide(text);
-    std::wstring result;
-    for (const wchar_t unit : shortened(whole, longest_problem)) {
-        result += unit;
-        if (unit == L'&') {
-            result += unit;  // A single one would underline the next letter.
+private:
+    void add(HMENU menu, const MenuItem& item) {
+        if (item.is_line()) {
+            ::AppendMenuW(menu, MF_SEPARATOR, 0, nullptr);
+            return;
+        }
+        const UINT flags = MF_STRING | (item.checked ? MF_CHECKED : 0U) |
+                           (item.enabled ? 0U : static_cast<UINT>(MF_GRAYED));
+        const std::wstring text = wide(item.text);
+        if (item.children.empty()) {
+            numbered_.push_back(&item);
+            ::AppendMenuW(menu, flags, numbered_.size(), text.c_str());
+            return;
+        }
+        Menu children = build(item.children);
+        const auto id = reinterpret_cast<UINT_PTR>(children.raw());
+        if (::AppendMenuW(menu, flags | MF_POPUP, id, text.c_str()) != 0) {
+            children.release();  // It goes with the menu that it hangs in.
         }
     }
-    return result;
-}
 
-Menu build(const Status& status) {
-    Menu menu(::CreatePopupMenu());
-    if (!status.problem.empty()) {
-        add(menu.raw(), MenuCommand::none, menu_text(status.problem).c_str(), MF_GRAYED);
-        add_line(menu.raw());
-    }
-    add(menu.raw(), MenuCommand::spawn, L"&Spawn hyrax");
-    add(menu.raw(), MenuCommand::fling_all, L"&Fling all");
-    add(menu.raw(), MenuCommand::reset_all, L"&Reset all");
-    add(menu.raw(), MenuCommand::pause, L"&Pause", status.paused ? MF_CHECKED : 0U);
-    add_line(menu.raw());
-    add(menu.raw(), MenuCommand::open_config, L"Open &config");
-    add(menu.raw(), MenuCommand::reload, L"Re&load");
-    add_line(menu.raw());
-    add(menu.raw(), MenuCommand::about, L"&About hyrax");
-    add(menu.raw(), MenuCommand::quit, L"&Quit");
-    return menu;
-}
+    std::vector<const MenuItem*> numbered_;
+};
 
 }  // namespace
 
-MenuCommand choose_from_menu(HWND owner, Point anchor, const Status& status) {
-    const Menu menu = build(status);
+MenuAction choose_from_menu(HWND owner, Point anchor, const MenuItems& items) {
+    MenuBuilder builder;
+    const Menu menu = builder.build(items);
     // Without the first call, a click elsewhere does not close the menu; without the message at
     // the end, the next menu closes at once (remarks on TrackPopupMenu).
     ::SetForegroundWindow(owner);
@@ -70,7 +68,7 @@ MenuCommand choose_from_menu(HWND owner, Point anchor, const Status& status) {
         nullptr
     );
     ::PostMessageW(owner, WM_NULL, 0, 0);
-    return static_cast<MenuCommand>(chosen);
+    return builder.action(chosen);
 }
 
 }  // namespace hyrax::win32

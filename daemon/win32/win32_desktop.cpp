@@ -15,6 +15,7 @@ namespace hyrax::win32 {
 
 Win32Desktop::Win32Desktop(Win32DesktopOptions options)
     : options_(std::move(options)),
+      autostart_(options_.executable),
       files_(options_.profile, options_.unwatched, clock_now()),
       screens_(options_.monitors(), clock_now()),
       overlay_(*this),
@@ -99,7 +100,6 @@ DesktopCounters Win32Desktop::counters() const {
 }
 
 void Win32Desktop::show_status(const Status& status) {
-    status_ = status;
     tray_->set_tip(tip_text(status));
 }
 
@@ -107,6 +107,14 @@ void Win32Desktop::answer(ClientId client, std::string_view text, Answer which) 
     if (options_.control) {
         options_.control->answer(client, text, which, clock_now());
     }
+}
+
+std::optional<Point> Win32Desktop::pointer() {
+    POINT at{};
+    if (::GetCursorPos(&at) == 0) {
+        return std::nullopt;
+    }
+    return Point{static_cast<int>(at.x), static_cast<int>(at.y)};
 }
 
 std::vector<Input> Win32Desktop::wait(Ticks deadline) {
@@ -161,6 +169,9 @@ void Win32Desktop::do_chores() {
     if (files_.check(time)) {
         inbox_.emplace_back(input::FilesChanged{});
     }
+    if (scripts_spoke()) {
+        inbox_.emplace_back(input::ScriptsHeard{});
+    }
     if (time >= screens_.due() && screens_.settle(read_screens(), time)) {
         overlay_.forget_pixels();
         bubbles_.forget_pixels();
@@ -181,16 +192,24 @@ void Win32Desktop::do_chores() {
     }
 }
 
+bool Win32Desktop::scripts_spoke() const {
+    return options_.scripts_event != nullptr &&
+           ::WaitForSingleObject(options_.scripts_event, 0) == WAIT_OBJECT_0;
+}
+
 void Win32Desktop::sleep_until(Ticks due) {
     if (due == never) {
         alarm_.cancel();
     } else {
         alarm_.set(due - clock_now());
     }
-    std::array<HANDLE, 3> events{alarm_.event(), files_.event()};
+    std::array<HANDLE, 4> events{alarm_.event(), files_.event()};
     DWORD count = 2;
     if (options_.control) {
         events[count++] = options_.control->event();
+    }
+    if (options_.scripts_event != nullptr) {
+        events[count++] = options_.scripts_event;
     }
     // MWMO_INPUTAVAILABLE: also for messages that an earlier look at the queue has seen.
     const DWORD cause = ::MsgWaitForMultipleObjectsEx(

@@ -7,6 +7,7 @@
 #include "daemon/core/statistics.h"
 #include "daemon/core/topmost.h"
 #include "daemon/win32/about_box.h"
+#include "daemon/win32/autostart.h"
 #include "daemon/win32/clock.h"
 #include "daemon/win32/folder_watch.h"
 #include "daemon/win32/front_watch.h"
@@ -19,7 +20,6 @@
 #include "daemon/win32/pointer.h"
 #include "daemon/win32/screens.h"
 #include "daemon/win32/tray_icon.h"
-#include "daemon/win32/tray_menu.h"
 #include "daemon/win32/window_watch.h"
 
 #include <filesystem>
@@ -35,9 +35,14 @@ namespace hyrax::win32 {
 struct Win32DesktopOptions {
     std::filesystem::path profile;        ///< Changes below it come as FilesChanged.
     std::vector<std::wstring> unwatched;  ///< Names in the profile whose changes do not count.
-    std::filesystem::path config_file;    ///< Opened by the menu.
+    std::filesystem::path config_file;    ///< Opened by the menu, as are the next two.
+    std::filesystem::path scripts_folder;
+    std::filesystem::path log_file;
+    std::filesystem::path executable;     ///< What starts with the session if the user wants that.
     std::wstring instance_name;           ///< SingleInstance::name()
     std::unique_ptr<PipeServer> control;  ///< None: nobody can speak to the daemon by a pipe.
+
+    HANDLE scripts_event = nullptr;  ///< Comes as ScriptsHeard while it is signalled.
 
     /// What the arguments of a second start ask for; must report mistakes itself.
     std::function<std::vector<Request>(const std::vector<std::string>&)> parse_arguments;
@@ -73,6 +78,10 @@ public:
     void show_status(const Status& status) override;
     void follow(const Conduct& conduct) override;
     void answer(ClientId client, std::string_view text, Answer which) override;
+    void show_menu(MenuItems menu, Point anchor) override;
+    void greet(const std::string& text) override;
+    std::optional<Point> pointer() override;
+    WallTime wall_time() override;
 
 private:
     explicit Win32Desktop(Win32DesktopOptions options);
@@ -81,6 +90,7 @@ private:
     void drain_messages();
     void do_chores();
     Ticks chores_due() const;
+    bool scripts_spoke() const;
     void sleep_until(Ticks due);
 
     std::optional<LRESULT> on_message(HWND window, UINT message, WPARAM wparam, LPARAM lparam)
@@ -98,9 +108,15 @@ private:
     void ask(Request request);
     void on_screens_hint();
     bool on_handed_over(LPARAM copy_data);
-    void open_menu(Point anchor);
-    void carry_out(MenuCommand command);
-    void open_config();
+    void ask_for_menu(Point anchor);
+    void open_menu();
+    void give_back_focus(HWND former, bool of_tray);
+    void carry_out(MenuAction action);
+    void carry_out(const desktop_command::OpenConfig&);
+    void carry_out(const desktop_command::OpenScripts&);
+    void carry_out(const desktop_command::OpenLog&);
+    void carry_out(const desktop_command::ShowAbout&);
+    void carry_out(const desktop_command::SetAutostart& autostart);
 
     void begin_modal();
     void end_modal();
@@ -110,13 +126,19 @@ private:
     std::function<void()> run_due_;
     std::function<void()> tell_statistics_;
     std::vector<Input> inbox_;
-    Status status_;
     DesktopCounters counters_;  ///< Without the overlay's.
     UINT taskbar_created_ = 0;
     UINT statistics_message_ = 0;
     int modal_depth_ = 0;
     bool in_modal_tick_ = false;
     bool menu_open_ = false;
+    bool tray_menu_wanted_ = false;
+    struct OfferedMenu {
+        MenuItems items;
+        Point anchor;
+        bool of_tray = false;
+    };
+    std::optional<OfferedMenu> offered_menu_;
     bool waiting_ = false;
     bool closing_ = false;
     Facts facts_;
@@ -126,6 +148,7 @@ private:
     bool little_power_ = false;
     std::size_t most_screens_ = std::numeric_limits<std::size_t>::max();
 
+    Autostart autostart_;
     Alarm alarm_;
     FolderWatch files_;
     MonitorWatch screens_;

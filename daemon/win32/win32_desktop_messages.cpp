@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What the messages of the daemon's window and of the panes mean.
 #include "daemon/win32/messages.h"
-#include "daemon/win32/process.h"
 #include "daemon/win32/single_instance.h"
 #include "daemon/win32/tray_message.h"
 #include "daemon/win32/win32_desktop.h"
-
-#include <spdlog/spdlog.h>
-
-#include <thread>
 
 namespace hyrax::win32 {
 
@@ -19,7 +14,7 @@ std::optional<LRESULT> Win32Desktop::on_message(
         return std::nullopt;
     }
     if (window != daemon_.raw()) {
-        return pointer_.on_pane_message(window, daemon_.raw(), message);
+        return pointer_.on_pane_message(window, daemon_.raw(), message, wparam);
     }
     if (message == taskbar_created_) {
         tray_->renew(clock_now());
@@ -41,8 +36,11 @@ std::optional<LRESULT> Win32Desktop::on_daemon_message(UINT message, WPARAM wpar
     switch (message) {
         case tray_message:
             if (const std::optional<Point> anchor = menu_anchor(wparam, lparam)) {
-                open_menu(*anchor);
+                ask_for_menu(*anchor);
             }
+            return 0;
+        case menu_message:
+            open_menu();
             return 0;
         case modal_message:
             wparam != 0 ? begin_modal() : end_modal();
@@ -101,62 +99,6 @@ bool Win32Desktop::on_handed_over(LPARAM copy_data) {
         ask(std::move(request));
     }
     return true;
-}
-
-/// One at a time: Enter on the icon asks for it twice.
-void Win32Desktop::open_menu(Point anchor) {
-    if (menu_open_) {
-        return;
-    }
-    menu_open_ = true;
-    begin_modal();
-    const MenuCommand command = choose_from_menu(daemon_.raw(), anchor, status_);
-    end_modal();
-    menu_open_ = false;
-    if (command == MenuCommand::none && ::GetForegroundWindow() == daemon_.raw()) {
-        tray_->take_focus();
-    }
-    carry_out(command);
-}
-
-void Win32Desktop::carry_out(MenuCommand command) {
-    switch (command) {
-        case MenuCommand::none:
-            break;
-        case MenuCommand::spawn:
-            ask(request::Spawn{});
-            break;
-        case MenuCommand::fling_all:
-            ask(request::FlingAll{});
-            break;
-        case MenuCommand::reset_all:
-            ask(request::ResetAll{});
-            break;
-        case MenuCommand::pause:
-            ask(request::SetPaused{!status_.paused});
-            break;
-        case MenuCommand::open_config:
-            open_config();
-            break;
-        case MenuCommand::reload:
-            ask(request::Reload{});
-            break;
-        case MenuCommand::about:
-            about_->open();
-            break;
-        case MenuCommand::quit:
-            ask(request::Quit{});
-            break;
-    }
-}
-
-/// On a thread of its own, which nobody waits for: the shell may take seconds.
-void Win32Desktop::open_config() {
-    std::thread([file = options_.config_file] {
-        if (const Result<void> opened = open_in_editor(file); !opened) {
-            spdlog::error("{}", opened.error().message);
-        }
-    }).detach();
 }
 
 void Win32Desktop::begin_modal() {

@@ -135,6 +135,26 @@ TEST_CASE("status tells what the daemon does, pause and resume hold and free it,
     CHECK(to_seconds(daemon.recorded.desktop.now()) == doctest::Approx(90.0));
 }
 
+TEST_CASE("pets are hidden, for a time or until they are shown, and gathered") {
+    AskedDaemon daemon(300.0);
+    daemon.at(1.0, R"({"do": "hide", "minutes": 1})");
+    daemon.at(2.0, R"({"do": "status"})");
+    daemon.at(70.0, R"({"do": "status"})");
+    daemon.at(80.0, R"({"do": "hide"})");
+    daemon.at(200.0, R"({"do": "status"})");
+    daemon.at(201.0, R"({"do": "gather"})");
+    daemon.at(202.0, R"({"do": "status"})");
+    daemon.at(203.0, R"({"do": "hide", "minutes": -1})");
+    daemon.run();
+    CHECK(daemon.result(0) == json{{"hidden", true}});
+    CHECK(daemon.result(1)["hidden"] == true);
+    CHECK(daemon.result(2)["hidden"] == false);
+    CHECK(daemon.result(4)["hidden"] == true);
+    CHECK(daemon.result(5) == json::object());
+    CHECK(daemon.result(6)["hidden"] == false);
+    CHECK(daemon.refusal(7).starts_with("bad_request: minutes"));
+}
+
 TEST_CASE("a setting is read, written into the file, and holds at once") {
     AskedDaemon daemon(2.0);
     daemon.at(1.0, R"({"do": "config get", "key": "/physics/gravity"})");

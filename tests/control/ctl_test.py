@@ -19,7 +19,7 @@ del sys.argv[1:3]
 
 CONFIG = """{
     // one pet, which falls
-    "pets": {"start": [{"x": 300, "y": 100}]}
+    "pets": {"start": [{"x": 300, "y": 100}], "max_spawn_rate": 10000}
 }
 """
 

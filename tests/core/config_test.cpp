@@ -106,11 +106,12 @@ TEST_CASE("config: every key arrives where it belongs") {
         "physics": {"gravity": 0.5, "restitution": 0.25, "air_drag": 0.5, "ground_friction": 0.75,
                     "rest_threshold": 7},
         "pets": {"start": [{"kind": "cat", "count": 2, "x": 1.5, "y": -2, "vx": 3, "vy": 4}, {}],
-                 "max": 9, "max_speed": 10, "max_throw_speed": 11, "drowsy_after": 12},
+                 "max": 9, "max_spawn_rate": 2.5, "max_speed": 10, "max_throw_speed": 11, "drowsy_after": 12},
         "overlay": {"fps": 30.5, "floor": "screen", "ledges": "active",
                     "allowed_monitors": [2, "primary"], "allowed_area": [-10, 20, 300, 400],
                     "quiet": true},
-        "scripts": {"run": ["a.lua", "examples/b*.lua"]},
+        "scripts": {"run": ["a.lua", "examples/b*.lua"],
+                    "limits": {"load_units": 123456, "memory": 100000, "max_speed": 1.5}},
         "log": {"level": "warn"}
     })");
     Config expected;
@@ -122,7 +123,11 @@ TEST_CASE("config: every key arrives where it belongs") {
         .rest_threshold = 7,
     };
     expected.engine.max_pets = 9;
+    expected.engine.max_spawn_rate = 2.5;
     expected.engine.max_speed = 10;
+    expected.limits.load_units = 123'456;
+    expected.limits.memory = 100'000;
+    expected.limits.max_speed = 1.5;
     expected.start_pets = {
         {.kind = "cat", .count = 2, .at = Vec2{1.5, -2}, .velocity = {3, 4}}, StartPets{}
     };
@@ -188,7 +193,7 @@ TEST_CASE("config: every number is accepted at its bounds and refused beyond the
             check_refused(field, "1.5", "1.5");
         }
     }
-    CHECK(numbers == 24);
+    CHECK(numbers == 37);
 }
 
 TEST_CASE("config: names, choices and lists") {

@@ -97,6 +97,29 @@ TEST_CASE("an animation that was asked for goes on where it was, too") {
     CHECK(world.pet(id).playing->since == since + (world.now - frame - stopped));
 }
 
+TEST_CASE("a pet that was frozen changes its size on the next screen as any other") {
+    World world({.physics = {.gravity = 0.0, .air_drag = 1.0}});
+    World twin({.physics = {.gravity = 0.0, .air_drag = 1.0}});
+    Monitor larger = monitor(right);
+    larger.scale = 2.0;
+    for (World* one : {&world, &twin}) {
+        one->engine.set_arena(Arena({monitor(left), larger}, FloorEdge::work_area));
+    }
+    const PetId id = world.spawn({700.0, 100.0}, {300.0, 0.0});
+    const PetId other = twin.spawn({700.0, 100.0}, {300.0, 0.0});
+    world.run(0.2);
+    twin.run(0.2);
+    world.engine.freeze({left}, world.now - frame);
+    world.run(7.0);
+    world.engine.freeze({}, world.now - frame);
+    for (int i = 0; i < 150; ++i, world.now += frame, twin.now += frame) {
+        world.engine.advance(world.now);
+        twin.engine.advance(twin.now);
+        REQUIRE(world.pet(id).position() == twin.pet(other).position());
+    }
+    CHECK(world.engine.box_of(world.pet(id)) == Size{2 * box.width, 2 * box.height});
+}
+
 TEST_CASE("pets on other monitors go on, and one that flies in stops there") {
     World world;
     world.engine.set_arena(two_monitors());

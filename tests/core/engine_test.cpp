@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/core/engine_world.h"
+#include "tests/core/engine_seen.h"
 
 #include <cmath>
 #include <limits>
@@ -9,15 +9,6 @@ using namespace hyrax;
 namespace {
 
 const EngineSettings document_law{.integrator = Integrator::semi_implicit_euler};
-
-constexpr Integrator integrators[] = {
-    Integrator::event_driven,
-    Integrator::semi_implicit_euler,
-    Integrator::semi_implicit_euler_fixed,
-    Integrator::exponential_swept,
-    Integrator::stormer_verlet,
-    Integrator::rk45,
-};
 
 }  // namespace
 
@@ -204,6 +195,27 @@ TEST_CASE("reset puts a pet back where it was spawned, at rest") {
     world.engine.reset_all();
     CHECK(world.pet(id).position() == Vec2{300.0, 200.0});
     CHECK(world.pet(second).position() == Vec2{700.0, 100.0});
+}
+
+TEST_CASE("new pets are rationed once as many have come as there may be") {
+    World world({.max_pets = 3, .max_spawn_rate = 2.0});
+    const auto come_and_go = [&world] {
+        const Result<PetId> id = world.engine.spawn({});
+        if (id) {
+            REQUIRE(world.engine.remove(*id));
+        }
+        return id.has_value();
+    };
+    world.engine.advance(ticks_per_second);
+    for (int i = 0; i < 3 + 2; ++i) {
+        CHECK(come_and_go());
+    }
+    CHECK_FALSE(come_and_go());
+    CHECK(world.engine.spawn({}).error().message.contains("limit of 2 new pets a second"));
+    world.engine.advance(2 * ticks_per_second);
+    CHECK(come_and_go());
+    CHECK(come_and_go());
+    CHECK_FALSE(come_and_go());
 }
 
 TEST_CASE("the population is capped") {

@@ -34,14 +34,6 @@ Sprite sprite(std::uint32_t index, Point at) {
     return result;
 }
 
-std::vector<Rect> places_of(const Frame& frame) {
-    std::vector<Rect> places;
-    for (const Sprite& one : frame.sprites) {
-        places.push_back(one.bounds());
-    }
-    return places;
-}
-
 long long area_of(std::span<const Rect> rects) {
     long long sum = 0;
     for (const Rect& rect : rects) {

@@ -1,61 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/core/remote_script_host.h"
 
-#include "tests/core/fake_script_channel.h"
+#include "tests/core/remote_scripts.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
 using namespace hyrax;
-
-namespace {
-
-constexpr Ticks ms = ticks_per_ms;
-
-struct Remote {
-    FakeProcess process;
-    RemoteScriptHost host{std::make_unique<FakeScriptChannel>(process)};
-    Ticks now = 0;
-
-    // As the daemon does in a frame; empty unless an output came.
-    std::optional<ScriptOutput> frame(std::vector<ScriptEvent> events = {}, Ticks later = 10 * ms) {
-        now += later;
-        host.watch(now);
-        std::optional<ScriptOutput> output = host.take_output();
-        if (!host.busy()) {
-            const ScriptOutput at_once = host.run({.now = now, .pets = {}, .monitors = {}}, events);
-            if (!at_once.log.empty()) {
-                output = at_once;
-            }
-        }
-        return output;
-    }
-    std::vector<std::string> loaded() const {
-        std::vector<std::string> names;
-        for (const ScriptSource& source : process.heard_of<ScriptSource>()) {
-            names.push_back(source.name);
-        }
-        return names;
-    }
-    // Hangs in the script at this place, and is found out.
-    std::string hang(std::uint32_t place) {
-        process.pulse.enter(place);
-        frame();
-        *process.used += 240 * ms;
-        CHECK_FALSE(frame());
-        *process.used += 20 * ms;
-        const auto output = frame();
-        REQUIRE(output);
-        REQUIRE_FALSE(output->log.empty());
-        return output->log.front().text;
-    }
-};
-
-const std::vector<ScriptSource> three{{"a.lua", "a"}, {"b.lua", "b"}, {"c.lua", "c"}};
-using Names = std::vector<std::string>;
-
-}  // namespace
 
 TEST_CASE("no process without a script, none after the last one") {
     Remote remote;
@@ -71,7 +23,18 @@ TEST_CASE("no process without a script, none after the last one") {
     CHECK(remote.loaded() == Names{"a.lua", "b.lua", "c.lua"});
     CHECK(remote.process.heard_of<wire::Load>().at(0).scripts == 3);
 
+    remote.process.answer();
+    remote.frame();
+    remote.process.answer();
     remote.host.load({});
+    remote.frame();
+    CHECK(remote.process.alive);  // until they have heard of it
+    CHECK(remote.process.heard_of<wire::Load>().at(1).scripts == 0);
+    ScriptOutput last_words;
+    last_words.commands = {command::Stop{7}};
+    remote.process.answer(last_words);
+    remote.host.watch(remote.now);
+    CHECK(remote.host.take_output()->commands.size() == 1);
     CHECK_FALSE(remote.process.alive);
     CHECK_FALSE(remote.host.busy());
     CHECK(remote.host.watch_due() == never);
@@ -131,7 +94,7 @@ TEST_CASE("a script that hangs is named and stays out, the others start again") 
     CHECK(remote.process.starts == 2);
 }
 
-TEST_CASE("a process that starts again knows what scripts have kept and been told") {
+TEST_CASE("a process that starts again knows what scripts have kept and are set to") {
     Remote remote;
     remote.host.load(three);
     remote.frame();
@@ -139,9 +102,11 @@ TEST_CASE("a process that starts again knows what scripts have kept and been tol
     said.commands = {command::Store{"b.lua", "n", {std::int64_t{3}}}};
     remote.process.answer(said);
     remote.host.watch(remote.now);
-    ScriptWorld world;
-    world.new_settings = {{"c.lua", "speed", {1.5}}};
-    remote.host.run(world, {});
+    std::vector<ScriptSource> set = three;
+    set[1].store = {{"n", {std::int64_t{3}}}};
+    set[2].config = {{"speed", {1.5}}};
+    remote.host.load(set);
+    remote.frame();
     remote.process.crash();
     remote.frame();
     remote.frame(std::vector<ScriptEvent>{}, 20 * ticks_per_second);
@@ -150,37 +115,6 @@ TEST_CASE("a process that starts again knows what scripts have kept and been tol
     REQUIRE(sources.size() == 3);
     CHECK(sources[1].store == ScriptTable{{"n", {std::int64_t{3}}}});
     CHECK(sources[2].config == ScriptTable{{"speed", {1.5}}});
-}
-
-TEST_CASE("what a script keeps does not let it in again") {
-    Remote remote;
-    remote.host.load(three);
-    remote.frame();
-    remote.process.answer();
-    remote.frame();
-    remote.hang(1);
-    std::vector<ScriptSource> again = three;
-    again[1].store = {{"n", {true}}};
-    remote.host.load(again);
-    remote.process.answer();
-    remote.frame();
-    CHECK(std::ranges::count(remote.loaded(), "b.lua") == 0);
-}
-
-TEST_CASE("everything loaded anew lets a script in again, but not after three kills") {
-    Remote remote;
-    for (int i = 1; i <= 3; ++i) {
-        remote.host.load({});
-        remote.host.load(three);
-        remote.frame();
-        CHECK(remote.loaded().size() == 3);
-        const std::string line = remote.hang(0);
-        CHECK(line.ends_with("stays out until its text changes") == (i == 3));
-    }
-    remote.host.load({});
-    remote.host.load(three);
-    remote.frame();
-    CHECK(remote.loaded() == Names{"b.lua", "c.lua"});
 }
 
 TEST_CASE("with nobody left to run there is no process") {
@@ -336,21 +270,4 @@ TEST_CASE("scripts that their limits ended do not run again after a new start") 
     remote.process.be_killed();
     remote.frame();
     CHECK(remote.loaded() == Names{"a.lua", "b.lua"});
-}
-
-TEST_CASE("scripts that are replaced while they work are heard, then replaced") {
-    Remote remote;
-    remote.host.load(three);
-    remote.frame();
-    remote.host.load({{"d.lua", "d"}});
-    remote.frame();
-    CHECK(remote.loaded().size() == 3);
-    ScriptOutput said;
-    said.listening.add(EventKind::land);
-    remote.process.answer(said);
-    const auto output = remote.frame();
-    REQUIRE(output);
-    CHECK(output->listening == EventMask{});
-    CHECK(remote.loaded().back() == "d.lua");
-    CHECK(remote.process.starts == 1);
 }

@@ -5,7 +5,9 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 
 using namespace hyrax;
 
@@ -34,6 +36,18 @@ public:
 
 private:
     Recorder& recorder_;
+};
+
+class BusyHost final : public RecordingHost {
+public:
+    using RecordingHost::RecordingHost;
+    bool busy() const override { return is_busy; }
+    std::optional<ScriptOutput> take_output() override {
+        return std::exchange(output, std::nullopt);
+    }
+
+    bool is_busy = false;
+    std::optional<ScriptOutput> output;
 };
 
 struct Stage {
@@ -232,19 +246,16 @@ TEST_CASE("what scripts may see is kept, what they are told is told once and at 
     stage.run(0);
     CHECK(stage.bridge.next_wake() == never);
     stage.bridge.tell(PressedHotkey{"test.lua", 7});
-    stage.bridge.tell(ScriptSetting{"test.lua", "k", {true}});
     CHECK(stage.bridge.next_wake() == 0);
     stage.run(1);
     CHECK(stage.recorder.world.cursor == Vec2{3.0, 4.0});
     CHECK(stage.recorder.world.windows.size() == 1);
     REQUIRE(stage.recorder.world.pressed_hotkeys.size() == 1);
     CHECK(stage.recorder.world.pressed_hotkeys[0].id == 7);
-    REQUIRE(stage.recorder.world.new_settings.size() == 1);
     REQUIRE(stage.engine.spawn({}));
     stage.run(2);
     CHECK(stage.recorder.world.cursor == Vec2{3.0, 4.0});
     CHECK(stage.recorder.world.pressed_hotkeys.empty());
-    CHECK(stage.recorder.world.new_settings.empty());
 }
 
 TEST_CASE("scripts run only when an event, a timer or a load asks for it") {
@@ -259,4 +270,67 @@ TEST_CASE("scripts run only when an event, a timer or a load asks for it") {
     REQUIRE(stage.engine.spawn({}));
     stage.run(501);
     CHECK(stage.recorder.runs == 3);
+}
+
+TEST_CASE("a frame carries out so many commands, the others wait for the next ones") {
+    Stage stage;
+    const auto id = stage.engine.spawn({});
+    REQUIRE(id);
+    stage.run();
+    const PetKey seen = stage.recorder.world.pets.at(0).key;
+    for (std::size_t i = 1; i <= ScriptBridge::most_commands + 1; ++i) {
+        stage.recorder.answer.commands.push_back(command::SetTag{seen, std::to_string(i)});
+    }
+    stage.recorder.answer.next_wake = 0;
+    stage.bridge.load({{"test.lua", ""}});
+    stage.run(1);
+    CHECK(stage.engine.find(*id)->tag == "1000");
+    CHECK(stage.bridge.next_wake() == 0);
+    const int runs = stage.recorder.runs;
+    stage.run(2);
+    CHECK(stage.engine.find(*id)->tag == "1001");
+    CHECK(stage.recorder.runs == runs);  // scripts wait for their own commands
+    stage.run(3);
+    CHECK(stage.recorder.runs == runs + 1);
+}
+
+TEST_CASE("a key that is taken makes no second pet") {
+    Stage stage;
+    stage.recorder.answer.commands = {command::Spawn{key, {}}, command::Spawn{key, {}}};
+    stage.run();
+    CHECK(stage.engine.size() == 1);
+}
+
+TEST_CASE("while scripts are busy events wait, the oldest of too many are dropped") {
+    Recorder recorder;
+    auto busy_host = std::make_unique<BusyHost>(recorder);
+    BusyHost& host = *busy_host;
+    Engine engine({{"hyrax", {10, 10}}}, {}, 1);
+    engine.set_arena(Arena({{{0, 0, 800, 600}, {0, 0, 800, 600}, true, {}}}, FloorEdge::screen));
+    ScriptBridge bridge(std::move(busy_host));
+    bridge.load({{"test.lua", ""}});
+    bridge.run(engine, {}, 0);
+    CHECK(recorder.runs == 1);
+
+    ScriptOutput output;
+    output.listening = EventMask::all();
+    host.output = output;
+    host.is_busy = true;
+    const auto id = engine.spawn({});
+    REQUIRE(id);
+    for (std::size_t i = 0; i < ScriptBridge::most_events + 10; ++i) {
+        engine.click(*id, i < 20 ? Button::left : Button::right);
+        bridge.run(engine, {}, 1);
+    }
+    CHECK(recorder.runs == 1);
+    CHECK(bridge.next_wake() == never);
+
+    host.is_busy = false;
+    bridge.run(engine, {}, 2);
+    CHECK(recorder.runs == 2);
+    CHECK(recorder.events.size() == ScriptBridge::most_events);
+    CHECK(recorder.events.at(9).event.button == Button::left);
+    CHECK(recorder.events.at(10).event.button == Button::right);
+    bridge.run(engine, {}, 3);
+    CHECK(recorder.runs == 2);
 }

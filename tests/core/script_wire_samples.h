@@ -162,7 +162,6 @@ public:
             world.pets.push_back(pet());
             world.kinds.push_back({.name = text(), .box = {3, 4}, .animations = {text(), text()}});
             world.windows.push_back({-1, 2, 3, static_cast<int>(below(99))});
-            world.new_settings.push_back({text(), text(), value()});
             world.pressed_hotkeys.push_back({text(), random_()});
         }
         world.cursor = flip() ? std::optional(vec()) : std::nullopt;
@@ -197,7 +196,9 @@ public:
         return output;
     }
     Load load() {
-        Load load{.limits = {}, .scripts = static_cast<std::uint32_t>(below(most_scripts))};
+        Load load{
+            .limits = {}, .scripts = static_cast<std::uint32_t>(below(most_scripts)), .anew = flip()
+        };
         load.limits.seed = random_();
         load.limits.pets = 1 + below(100);
         return load;

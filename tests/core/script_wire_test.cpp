@@ -64,8 +64,6 @@ TEST_CASE("what is written is read again") {
             CHECK(a.scale == b.scale);
             CHECK(run.world.kinds[p].name == world.kinds[p].name);
             CHECK(run.world.kinds[p].animations == world.kinds[p].animations);
-            CHECK(run.world.new_settings[p].key == world.new_settings[p].key);
-            CHECK(run.world.new_settings[p].value == world.new_settings[p].value);
             CHECK(run.world.pressed_hotkeys[p].script == world.pressed_hotkeys[p].script);
             CHECK(run.world.pressed_hotkeys[p].id == world.pressed_hotkeys[p].id);
         }
@@ -104,6 +102,7 @@ TEST_CASE("sources, limits and answers are read again") {
     encode(bytes, load);
     const Load read = std::get<Load>(decode_to_host(body(bytes)).value());
     CHECK(read.scripts == load.scripts);
+    CHECK(read.anew == load.anew);
     CHECK(read.limits.pets == load.limits.pets);
     CHECK(read.limits.callback_time == load.limits.callback_time);
     CHECK(read.limits.seed == load.limits.seed);

@@ -328,13 +328,24 @@ class VirtualDesktop:
             picture.write_png(path)
         return picture
 
+    def _window_tree(self):
+        """xwininfo asks for one window after another, and fails if one of them goes meanwhile."""
+        for _ in range(20):
+            try:
+                return self.run("xwininfo", "-root", "-tree").decode(errors="replace")
+            except RuntimeError as problem:
+                if "Bad" not in str(problem):
+                    raise
+                time.sleep(0.02)
+        return self.run("xwininfo", "-root", "-tree").decode(errors="replace")
+
     def windows(self, name=None, viewable=True):
         """X windows whose name or class matches a regular expression, topmost first."""
         line = re.compile(
             r'^\s+(0x\w+) (?:"(.*)"|\(has no name\)): \((?:"(.*?)" )?.*?\)\s+(\d+)x(\d+)\+-?\d+\+-?\d+\s+\+(-?\d+)\+(-?\d+)'
         )
         found = []
-        for text in self.run("xwininfo", "-root", "-tree").decode(errors="replace").splitlines():
+        for text in self._window_tree().splitlines():
             match = line.match(text)
             if not match:
                 continue

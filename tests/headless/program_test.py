@@ -2,6 +2,7 @@
 """hyrax-headless as a user runs it: program_test.py <hyrax-headless>"""
 import csv
 import json
+import os
 import pathlib
 import signal
 import struct
@@ -85,6 +86,25 @@ class Program(unittest.TestCase):
         for name in ("a.csv", "b.csv"):
             done = run("--script", script, "--seconds", 3, "--trace", self.folder / name)
             self.assertEqual(done.returncode, 0, done.stderr)
+            traces.append((self.folder / name).read_bytes())
+        self.assertEqual(traces[0], traces[1])
+        self.assertGreater(len(traces[0]), 10_000)
+
+    @unittest.skipIf("HYRAX_SANITIZED" in os.environ, "a sanitizer does not fit into the cage")
+    def test_same_input_same_trace_with_scripts_in_a_process_of_their_own(self):
+        script = self.folder / "party.lua"
+        script.write_text("""
+            hyrax.every(0.3, function() hyrax.spawn{}:fling(math.random(-900, 900), -600) end)
+            hyrax.on("land", function(pet) pet:fling(math.random(-300, 300), -400) end)
+        """)
+        bad = self.folder / "bad.lua"
+        bad.write_text("local s = ('a'):rep(3000) s:find(('.-'):rep(10) .. 'b')")
+        traces = []
+        for name in ("a.csv", "b.csv"):
+            done = run("--script-process", "--script", bad, "--script", script, "--seconds", 3,
+                       "--trace", self.folder / name)  # fmt: skip
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("error: bad.lua: gave no sign of life", done.stderr)
             traces.append((self.folder / name).read_bytes())
         self.assertEqual(traces[0], traces[1])
         self.assertGreater(len(traces[0]), 10_000)

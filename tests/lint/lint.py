@@ -30,7 +30,7 @@ ROOMS = {
     "daemon/script/": {"std", "physics", "script", "core", "log", "lua"},
     "daemon/control/": {"std", "control", "core", "log", "json", "cli"},
     "daemon/win32/": {"std", "physics", "win32", "core", "control", "log", "windows"},
-    "daemon/headless/": {"std", "physics", "headless", "core", "control", "log", "posix", "png", "freetype"},
+    "daemon/headless/": {"std", "physics", "headless", "core", "control", "log", "posix", "png", "freetype", "seccomp"},
     "daemon/main_": {"std", "physics", "core", "script", "control", "win32", "headless", "log", "cli", "windows", "posix"},
     "tests/": None,  # anything
 }
@@ -48,6 +48,7 @@ THIRD_PARTIES = [
     (re.compile(r"^doctest/"), "doctest"),
     (re.compile(r"^png\w*\.h$"), "png"),
     (re.compile(r"^freetype/.*"), "freetype"),
+    (re.compile(r"^seccomp\.h$"), "seccomp"),
     (re.compile(r"^\w+intrin\.h$"), "intrinsics"),
     (re.compile(r"^((sys|arpa|netinet|linux)/.*|(unistd|fcntl|poll|signal|pthread|dirent|spawn|dlfcn|time)\.h)$"), "posix"),
     (re.compile(r"^[a-z0-9_]+$"), "std"),

@@ -64,6 +64,7 @@ TEST_CASE("a store comes with the source and survives a reload, what unload keep
     )");
     set_field(first.store, "n", {std::int64_t{41}});
     world.load({first});
+    world.renew();
     world.load({first});
     CHECK(world.errors() == "");
     CHECK(world.said() == "41\n42\n");
@@ -107,15 +108,13 @@ TEST_CASE("settings are read, listed, protected, and their changes are heard") {
     plugin.config = {{"jumps", {std::int64_t{5}}}, {"name", {std::string("x")}}};
     plugin.version = "1.2.0";
     world.load({plugin});
-    world.world.new_settings = {
-        {"test.lua", "jumps", {std::int64_t{9}}}, {"other.lua", "jumps", {true}}
-    };
-    world.run();
+    plugin.config = {{"jumps", {std::int64_t{9}}}};
+    world.load({plugin});
     CHECK(world.errors() == "");
     CHECK(
         world.said() == "5 x nil\njumps name nil\n"
                         "false test.lua:7: hyrax.config can only be read; the user changes it\n"
-                        "false test.lua 1.2.0\njumps 9 9\n"
+                        "false test.lua 1.2.0\njumps 9 9\nname nil nil\n"
     );
 }
 
@@ -207,6 +206,7 @@ TEST_CASE("unload tells why, cannot wait, and ends") {
     )";
     FakeWorld world;
     world.load(text);
+    world.renew();
     world.load(text);
     world.load("", "other.lua");
     world.load(text);

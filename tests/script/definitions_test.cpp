@@ -165,10 +165,14 @@ TEST_CASE("every event gives its handler as many values as it is said to") {
     FakeWorld world;
     const PetKey a = world.add_pet();
     const PetKey b = world.add_pet();
-    world.load("for _, name in ipairs{ 'ready', 'tick', 'spawn', 'remove', 'grab', 'throw', "
-               "'bounce', 'land', 'click', 'collide', 'monitors', 'config', 'unload' } do "
-               "local s s = hyrax.on(name, function(...) print(name, select('#', ...)) s:cancel() "
-               "end) end");
+    ScriptSource source{
+        .name = "test.lua",
+        .text = "for _, name in ipairs{ 'ready', 'tick', 'spawn', 'remove', 'grab', 'throw', "
+                "'bounce', 'land', 'click', 'collide', 'monitors', 'config', 'unload' } do "
+                "local s s = hyrax.on(name, function(...) print(name, select('#', ...)) s:cancel() "
+                "end) end",
+    };
+    world.load({source});
     world.skip(1.0);
     for (const EventKind kind :
          {EventKind::spawn,
@@ -187,9 +191,8 @@ TEST_CASE("every event gives its handler as many values as it is said to") {
     const PetKey c = world.add_pet();
     world.happens_between({.kind = EventKind::collide}, a, c);
     world.happens({.kind = EventKind::monitors}, 0);
-    world.world.new_settings = {{"test.lua", "x", {true}}};
-    world.run();
-    world.world.new_settings = {};
+    source.config = {{"x", {true}}};
+    world.load({source});
     world.load("");
     // The setting is told before the events of its run.
     const auto sorted = [](std::string text) {

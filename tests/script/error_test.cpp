@@ -96,6 +96,7 @@ TEST_CASE("20 errors in 10 seconds pause a script until it is loaded again") {
     const std::string said = world.said();
     CHECK(std::ranges::count(said, '\n') == 20);
     CHECK(world.last.next_wake == never);
+    world.renew();
     world.load(text);
     CHECK(world.last.next_wake != never);
 }

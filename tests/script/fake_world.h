@@ -19,6 +19,10 @@ public:
     /// Loads these instead of what was loaded, and runs once.
     void load(std::vector<ScriptSource> sources);
     void load(std::string text, std::string name = "test.lua");
+    /// The next load() takes every text for a new one.
+    void renew() { host_->renew(); }
+    /// Counts from the next load() on.
+    void set_limits(const ScriptLimits& limits) { host_->set_limits(limits); }
     /// One run without time passing.
     void run();
     /// Moves the clock and the pets in frames of 1/60 s, each with a run. [s]

@@ -88,7 +88,9 @@ TEST_CASE("wrong arguments of spawn are named") {
 TEST_CASE("wrong arguments of a pet's methods are named, and change nothing") {
     const auto error = [](const std::string& call) {
         FakeWorld world;
-        world.load("local p = hyrax.spawn{ x = 0, y = 0 } " + call);
+        world.load(
+            "local p = hyrax.spawn{ x = 0, y = 0 } hyrax.on('ready', function() " + call + " end)"
+        );
         CHECK(world.commands.size() == 1);
         return world.errors();
     };
@@ -174,7 +176,9 @@ TEST_CASE("verbs for all reach the pets of others only if they may") {
     FakeWorld may_not;
     may_not.permissions = {};
     const PetKey pet = may_not.add_pet();
-    may_not.load("N = 1 " + text + " hyrax.pets{all=true}[1]:fling(1, 2)");
+    may_not.load(
+        "N = 1 " + text + " hyrax.on('ready', function() hyrax.pets{all=true}[1]:fling(1, 2) end)"
+    );
     CHECK(may_not.errors().contains("pet:fling: this pet belongs to 'user'"));
     CHECK(may_not.given<command::Remove>().size() == 1);
     CHECK(may_not.find(pet) != nullptr);

@@ -4,6 +4,7 @@
 
 #include "daemon/core/image.h"
 
+#include <cstdint>
 #include <random>
 
 namespace hyrax {
@@ -11,7 +12,7 @@ namespace hyrax {
 /// From 0 to `most`.
 inline unsigned random_up_to(unsigned most, std::minstd_rand& random) {
     // The low bits of the generator are the worst.
-    return static_cast<unsigned>(random() >> 8U) % (most + 1);
+    return static_cast<unsigned>((std::uint64_t{random()} >> 8U) % (most + 1));
 }
 
 inline Pixel random_pixel(std::minstd_rand& random, unsigned alpha) {

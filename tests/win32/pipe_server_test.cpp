@@ -147,7 +147,7 @@ TEST_CASE("the pipe belongs to the user, who alone may open it") {
     CHECK(access.starts_with(L"D:P("));
     CHECK(access.ends_with(L";;;" + user + L")"));
     CHECK(access.find(L'(') == access.rfind(L'('));
-    // Wine 8 neither keeps a pipe's label nor writes it as text: this is what is asked for.
+    // Under Wine 8 another label reads back: this is what is asked for.
     CHECK(asks_for_medium_integrity(pipe_security().value().raw()));
 }
 

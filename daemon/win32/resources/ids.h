@@ -4,3 +4,5 @@
 
 #define HYRAX_ICON 1 /* The lowest number: Explorer shows the first icon. */
 #define HYRAX_ABOUT 2
+#define HYRAX_LICENCES 3      /* The text. */
+#define HYRAX_LICENCES_BOX 10 /* The field that shows it. */
