@@ -33,6 +33,13 @@ constexpr std::array script_keys{
         "Work units that each later call may spend; about 5 ms."
     },
     Field<Config>{
+        "/scripts/limits/unload_units",
+        [](Config& c) -> Slot { return &c.limits.unload_units; },
+        {1000, 1e9},
+        "units",
+        "Work units that a script may spend on its unload handlers; about 0.5 ms."
+    },
+    Field<Config>{
         "/scripts/limits/memory",
         [](Config& c) -> Slot { return &c.limits.memory; },
         {65536, 1073741824},
@@ -87,6 +94,13 @@ constexpr std::array script_keys{
         {1, 1e7},
         "px/s",
         "Velocities that a script sets are shortened to this."
+    },
+    Field<Config>{
+        "/scripts/limits/store",
+        [](Config& c) -> Slot { return &c.limits.store; },
+        {1024, 16777216},
+        "bytes",
+        "What a script may keep in its store."
     },
     Field<Config>{
         "/scripts/limits/log_lines_per_second",
