@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// script-bench: what scripts in a process of their own cost the daemon, and how soon they answer.
+// script-bench: what scripts in a process of their own cost the daemon, how soon they answer, and
+// what hostile ones do to its frames.
 #include "daemon/core/remote_script_host.h"
 #include "daemon/core/script_bridge.h"
 #include "daemon/headless/child_process.h"
 #include "daemon/script/script_host.h"
+#include "tests/bench/bench_attacks.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <chrono>
@@ -95,11 +98,20 @@ void measure_handlers() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        fmt::print(stderr, "usage: script-bench HYRAX-HEADLESS\n");
+    if (argc < 2 || argc > 3) {
+        fmt::print(
+            stderr,
+            "usage: script-bench HYRAX-HEADLESS [SECONDS]\nWith SECONDS, each hostile script runs "
+            "for "
+            "so long.\n"
+        );
         return EXIT_FAILURE;
     }
     measure_frames(argv[1]);
     measure_handlers();
-    return EXIT_SUCCESS;
+    if (argc < 3) {
+        return EXIT_SUCCESS;
+    }
+    spdlog::set_level(spdlog::level::off);  // The scripts' own errors.
+    return measure_attacks(argv[1], std::atof(argv[2])) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
