@@ -66,8 +66,24 @@ void blit(const PixelView& target, const Rect& clip, const Stamp& stamp, Kernel 
 void compose(
     const PixelView& target, Point origin, const Rect& area, const Frame& frame, Kernel kernel
 ) {
-    const Rect local{area.x - origin.x, area.y - origin.y, area.width, area.height};
-    erase(target, local);
+    recompose(target, origin, area, std::span(&area, 1), frame, kernel);
+}
+
+void recompose(
+    const PixelView& target,
+    Point origin,
+    const Rect& area,
+    std::span<const Rect> drawn,
+    const Frame& frame,
+    Kernel kernel
+) {
+    const auto local_to_target = [origin](const Rect& rect) {
+        return Rect{rect.x - origin.x, rect.y - origin.y, rect.width, rect.height};
+    };
+    const Rect local = local_to_target(area);
+    for (const Rect& place : drawn) {
+        erase(target, intersection(local_to_target(place), local));
+    }
     for (const Sprite& sprite : frame.sprites) {
         const Point at{sprite.at.x - origin.x, sprite.at.y - origin.y};
         blit(target, local, {*sprite.image, sprite.source, at, sprite.opacity}, kernel);

@@ -60,4 +60,15 @@ void compose(
     Kernel kernel = best_blit_kernel()
 );
 
+/// The same, where the target shows the frame before: only what `drawn` covers can hold pixels,
+/// namely drawn_places() of both frames.
+void recompose(
+    const PixelView& target,
+    Point origin,
+    const Rect& area,
+    std::span<const Rect> drawn,
+    const Frame& frame,
+    Kernel kernel = best_blit_kernel()
+);
+
 }  // namespace hyrax

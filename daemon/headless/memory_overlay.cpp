@@ -24,8 +24,9 @@ void MemoryOverlay::present(const Frame& frame, std::span<const Monitor> monitor
     ++counters_.frames;
     plan(frame, monitors, now);
     const std::vector<Rect> changed = changed_places(frame_, frame);
+    const std::vector<Rect> drawn = drawn_places(frame_, frame);
     for (const Pane& pane : plan_) {
-        draw(shown_on(pane.monitor), pane.area, frame, changed);
+        draw(shown_on(pane.monitor), pane.area, {frame, changed, drawn});
     }
     frame_ = frame;
 }
@@ -56,9 +57,7 @@ MemoryOverlay::Shown& MemoryOverlay::shown_on(const Rect& monitor) {
     return shown_.back();
 }
 
-void MemoryOverlay::draw(
-    Shown& shown, const Rect& area, const Frame& frame, std::span<const Rect> changed
-) {
+void MemoryOverlay::draw(Shown& shown, const Rect& area, const Change& change) {
     const bool anew = shown.area != area;
     if (anew) {
         const bool resized = shown.area.width != area.width || shown.area.height != area.height;
@@ -68,9 +67,11 @@ void MemoryOverlay::draw(
     }
     const PixelView view(shown.pixels.data(), area.width, {area.width, area.height});
     const std::vector<Rect> parts =
-        anew ? std::vector{area} : dirty_clusters(changed, area, PresentCost{});
+        anew ? std::vector{area} : dirty_clusters(change.places, area, PresentCost{});
     for (const Rect& part : parts) {
-        compose(view, {area.x, area.y}, part, frame);
+        recompose(
+            view, {area.x, area.y}, part, anew ? std::span(&area, 1) : change.drawn, change.frame
+        );
         count(part);
     }
 }

@@ -38,9 +38,15 @@ private:
         std::vector<Pixel> pixels;  ///< Rows of the area without gaps; never gives room back.
     };
 
+    struct Change {
+        const Frame& frame;
+        std::span<const Rect> places;
+        std::span<const Rect> drawn;
+    };
+
     Shown& shown_on(const Rect& monitor);
     void plan(const Frame& frame, std::span<const Monitor> monitors, Ticks now);
-    void draw(Shown& shown, const Rect& area, const Frame& frame, std::span<const Rect> changed);
+    void draw(Shown& shown, const Rect& area, const Change& change);
     void crop(Shown& shown, const Rect& area);
     void count(const Rect& presented);
 

@@ -20,12 +20,17 @@ constexpr DWORD pane_style = WS_EX_LAYERED | WS_EX_TOPMOST | WS_EX_TOOLWINDOW | 
 
 constexpr const wchar_t* not_rude = L"NonRudeHWND";
 
-void render(const PixelView& target, const PanePicture& picture, const Rect& part) {
+void render(
+    const PixelView& target,
+    const PanePicture& picture,
+    const Rect& part,
+    std::span<const Rect> drawn
+) {
     const Point origin{picture.area.x, picture.area.y};
     if (picture.renderer == Renderer::gdiplus) {
         compose_with_gdiplus(target, origin, part, picture.frame);
     } else {
-        compose(target, origin, part, picture.frame);
+        recompose(target, origin, part, drawn, picture.frame);
     }
 }
 
@@ -82,7 +87,7 @@ void PaneWindow::show(const PanePicture& picture, OverlayCounters& counters) {
         }
         area_ = area;
         outline_rows_ = picture.outline_rows;
-        draw(picture, area);
+        draw(picture, area, {&area, 1});
         complete_ = present(nullptr, counters);
         if (!complete_) {
             renew_layer();
@@ -91,7 +96,8 @@ void PaneWindow::show(const PanePicture& picture, OverlayCounters& counters) {
     } else {
         for (const Rect& part : picture.dirty) {
             const Rect bands = whole_bands(part, area, outline_rows_);
-            draw(picture, bands);
+            // A coarse outline leaves pixels beside the sprites.
+            draw(picture, bands, outline_rows_ == 1 ? picture.drawn : std::span(&bands, 1));
             complete_ = present(&bands, counters) && complete_;
         }
     }
@@ -101,9 +107,9 @@ void PaneWindow::show(const PanePicture& picture, OverlayCounters& counters) {
     }
 }
 
-void PaneWindow::draw(const PanePicture& picture, const Rect& part) {
+void PaneWindow::draw(const PanePicture& picture, const Rect& part, std::span<const Rect> drawn) {
     const PixelView view = surface_.view({area_.width, area_.height});
-    render(view, picture, part);
+    render(view, picture, part, drawn);
     const Rect local{part.x - area_.x, part.y - area_.y, part.width, part.height};
     coarsen_outline(view, local, outline_rows_);
 }

@@ -20,6 +20,7 @@ struct PanePicture {
     const Rect& area;  ///< Within the monitor: this part of the frame.
     const Frame& frame;
     std::span<const Rect> dirty;
+    std::span<const Rect> drawn;  ///< drawn_places() since the frame before.
     Renderer renderer = Renderer::blit;
     int outline_rows = 1;  ///< Of coarse_outline.h.
 };
@@ -66,7 +67,7 @@ public:
 private:
     explicit PaneWindow(const Rect& monitor) : monitor_(monitor) {}
 
-    void draw(const PanePicture& picture, const Rect& part);
+    void draw(const PanePicture& picture, const Rect& part, std::span<const Rect> drawn);
     bool present(const Rect* dirty, OverlayCounters& counters);
     void renew_layer();
 

@@ -2,6 +2,7 @@
 // From motion to pixels: poses, stages, frames, the blitter.
 #include "daemon/core/blit.h"
 #include "daemon/core/pacer.h"
+#include "daemon/core/panes.h"
 #include "daemon/core/stage.h"
 #include "daemon/core/world_clock.h"
 
@@ -174,6 +175,46 @@ TEST_CASE("composing a dirty rectangle leaves the rest alone and equals a full r
     Image fully(Size{60, 40});
     compose(PixelView(fully), origin, whole, after);
     CHECK(partly.pixels == fully.pixels);
+}
+
+TEST_CASE("redrawing what was drawn equals a full redraw, whoever moves, comes and goes") {
+    std::minstd_rand random(5);
+    const auto below = [&random](int limit) {
+        return static_cast<int>(std::uint64_t{random()} % static_cast<std::uint64_t>(limit));
+    };
+    const Image ink = filled({9, 7}, 0x80402010U);
+    const Rect whole{-40, -10, 80, 60};
+    const Point origin{-40, -10};
+    Image partly(Size{80, 60});
+    Frame before;
+    for (int round = 0; round < 500; ++round) {
+        Frame after = before;
+        for (Sprite& sprite : after.sprites) {
+            if (below(2) == 0) {
+                sprite.at = {sprite.at.x + below(9) - 4, sprite.at.y + below(9) - 4};
+            }
+        }
+        if (below(4) == 0 && !after.sprites.empty()) {
+            after.sprites.erase(
+                after.sprites.begin() + below(static_cast<int>(after.sprites.size()))
+            );
+        }
+        if (below(3) == 0 && after.sprites.size() < 12) {
+            const auto number = static_cast<std::uint32_t>(round + 1);
+            after.sprites.push_back(
+                {&ink, {0, 0, 9, 7}, {below(90) - 45, below(70) - 15}, {number, 1}}
+            );
+        }
+        const std::vector<Rect> drawn = drawn_places(before, after);
+        const PresentCost cost{.most_calls = static_cast<std::size_t>(1 + below(8))};
+        for (const Rect& part : dirty_clusters(changed_places(before, after), whole, cost)) {
+            recompose(PixelView(partly), origin, part, drawn, after);
+        }
+        Image fully(Size{80, 60});
+        compose(PixelView(fully), origin, whole, after);
+        REQUIRE(partly.pixels == fully.pixels);
+        before = after;
+    }
 }
 
 TEST_CASE("late frames keep the grid, a hitch starts a new one") {

@@ -6,9 +6,11 @@
 #include "daemon/core/remote_script_host.h"
 #include "daemon/win32/clock.h"
 #include "daemon/win32/process.h"
+#include "tests/support/attack_corpus.h"
 
 #include <doctest/doctest.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,6 +26,7 @@ struct World {
     ScriptWorld world;
     std::vector<ScriptCommand> commands;
     std::string log;
+    std::map<std::string, std::string> errors;  // By script, one a line.
 
     World() {
         auto process = std::make_unique<ChildProcess>(find_folders().value().program / "hyrax.exe");
@@ -43,6 +46,9 @@ struct World {
             commands.insert(commands.end(), output->commands.begin(), output->commands.end());
             for (const ScriptLog& line : output->log) {
                 log += line.text + "\n";
+                if (line.level == LogLevel::error) {
+                    errors[line.script] += line.text + "\n";
+                }
             }
         }
     }
@@ -79,6 +85,24 @@ TEST_CASE("a pattern bomb is found out, the others go on") {
     CHECK(world.log.contains("stopped until it is loaded again"));
     world.log.clear();
     CHECK(world.until([&] { return world.log.contains("tick"); }));
+}
+
+TEST_CASE("every attack ends as its first line says, in a process of its own") {
+    const std::string honest = "hyrax.every(0.05, function() print('tick') end)";
+    for (const Attack& attack : attacks()) {
+        CAPTURE(attack.name);
+        World world;
+        world.host->load({{attack.name, attack.text}, {"last.lua", honest}});
+        const bool quiet = attack.end == Attack::End::ok;
+        CHECK(world.until([&] {
+            return quiet ? world.log.contains("tick")
+                         : ended_as_it_must(attack, world.errors[attack.name]);
+        }));
+        world.log.clear();
+        CHECK(world.until([&] { return world.log.contains("tick"); }));
+        CAPTURE(world.errors[attack.name]);
+        CHECK(ended_as_it_must(attack, world.errors[attack.name]));
+    }
 }
 
 TEST_CASE("the process is confined as far as the system lets it be read back") {
