@@ -163,7 +163,7 @@ int run_daemon(const Places& places, const DaemonCommandLine& line, const std::w
         .requests = line.common.requests,
         .fps = {},
         .seed = line.common.for_testing ? 1U : seed_of_the_day(),
-        .paint_text = win32::make_gdiplus_text_painter(),
+        .paint_text = win32::make_text_painter(),
     };
     if (line.common.trace) {
         auto trace = Trace::open(*line.common.trace);

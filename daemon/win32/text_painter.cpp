@@ -1,66 +1,100 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/win32/text_painter.h"
 
-#include "daemon/win32/gdiplus_include.h"
+#include "daemon/win32/surface.h"
 #include "daemon/win32/text.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace hyrax::win32 {
 
 namespace {
 
-constexpr Gdiplus::REAL text_height = 14;  // [px]
+using Font = Handle<HFONT, ::DeleteObject>;
 
+constexpr int text_height = 14;  // [px]
+constexpr Size longest_line{4096, 64};
+
+// Selects an object for as long as it lives.
+class Selected {
+public:
+    Selected(HDC dc, HGDIOBJ object) : dc_(dc), before_(::SelectObject(dc, object)) {}
+    Selected(const Selected&) = delete;
+    Selected& operator=(const Selected&) = delete;
+    ~Selected() { ::SelectObject(dc_, before_); }
+
+private:
+    HDC dc_;
+    HGDIOBJ before_;
+};
+
+Font font_for_texts() {
+    LOGFONTW wanted{};
+    wanted.lfHeight = -text_height;
+    wanted.lfWeight = FW_NORMAL;
+    wanted.lfCharSet = DEFAULT_CHARSET;
+    wanted.lfQuality = ANTIALIASED_QUALITY;  // ClearType's coloured edges have no single alpha.
+    std::ranges::copy(std::wstring_view(L"Segoe UI"), wanted.lfFaceName);
+    return Font(::CreateFontIndirectW(&wanted));
+}
+
+Result<Size> measured(HDC dc, const std::wstring& text) {
+    TEXTMETRICW metrics{};
+    SIZE extent{};
+    if (::GetTextMetricsW(dc, &metrics) == FALSE ||
+        ::GetTextExtentPoint32W(dc, text.c_str(), static_cast<int>(text.size()), &extent) ==
+            FALSE) {
+        return std::unexpected(system_error("cannot measure a text"));
+    }
+    return Size{
+        std::clamp(static_cast<int>(extent.cx), 1, longest_line.width),
+        std::clamp(static_cast<int>(metrics.tmHeight), 1, longest_line.height),
+    };
+}
+
+// White on black: what is white there is how much of the pixel the text covers.
 Result<Image> draw_line(std::string_view line) {
     const std::wstring text = wide(line);
-    const auto length = static_cast<INT>(text.size());
-    const Gdiplus::FontFamily segoe(L"Segoe UI");
-    const Gdiplus::FontFamily* const family =
-        segoe.IsAvailable() != FALSE ? &segoe : Gdiplus::FontFamily::GenericSansSerif();
-    const Gdiplus::Font font(family, text_height, Gdiplus::FontStyleRegular, Gdiplus::UnitPixel);
-    if (font.GetLastStatus() != Gdiplus::Ok) {
-        return failure("there is no font for texts");
+    const Font font = font_for_texts();
+    Surface surface;
+    if (const Result<bool> room = surface.make_room({1, 1}, longest_line); !room) {
+        return std::unexpected(room.error());
     }
-    // Without it a line is measured as wider than it is drawn, and blanks at its end do not count.
-    Gdiplus::StringFormat format(Gdiplus::StringFormat::GenericTypographic());
-    format.SetFormatFlags(
-        format.GetFormatFlags() | Gdiplus::StringFormatFlagsMeasureTrailingSpaces
-    );
-
-    Gdiplus::Bitmap measured_on(1, 1, PixelFormat32bppPARGB);
-    const Gdiplus::Graphics measure(&measured_on);
-    Gdiplus::RectF bounds;
-    if (measure.MeasureString(text.c_str(), length, &font, {0, 0}, &format, &bounds) !=
-        Gdiplus::Ok) {
-        return failure("a text cannot be measured");
+    Result<Size> size = Size{};
+    {
+        const Selected selected(surface.dc(), font.raw());
+        size = measured(surface.dc(), text);
     }
-    Image image(Size{
-        std::max(1, static_cast<int>(std::ceil(bounds.Width))),
-        std::max(1, static_cast<int>(std::ceil(font.GetHeight(&measure))))
-    });
-    Gdiplus::Bitmap bitmap(
-        image.size.width,
-        image.size.height,
-        image.size.width * static_cast<INT>(sizeof(Pixel)),
-        PixelFormat32bppPARGB,
-        reinterpret_cast<BYTE*>(image.pixels.data())
-    );
-    Gdiplus::Graphics graphics(&bitmap);
-    // ClearType would colour the edges, which premultiplied pixels cannot keep.
-    graphics.SetTextRenderingHint(Gdiplus::TextRenderingHintAntiAliasGridFit);
-    const Gdiplus::SolidBrush black(Gdiplus::Color(255, 0, 0, 0));
-    if (graphics.DrawString(text.c_str(), length, &font, {0, 0}, &format, &black) != Gdiplus::Ok) {
-        return failure("a text cannot be drawn");
+    if (!size) {
+        return std::unexpected(size.error());
     }
-    graphics.Flush(Gdiplus::FlushIntentionSync);
+    if (const Result<bool> room = surface.make_room(*size, longest_line); !room) {
+        return std::unexpected(room.error());
+    }
+    const PixelView drawn = surface.view(*size);
+    erase(drawn, {0, 0, size->width, size->height});
+    const Selected selected(surface.dc(), font.raw());
+    ::SetTextColor(surface.dc(), RGB(255, 255, 255));
+    ::SetBkMode(surface.dc(), TRANSPARENT);
+    if (::ExtTextOutW(
+            surface.dc(), 0, 0, 0, nullptr, text.c_str(), static_cast<UINT>(text.size()), nullptr
+        ) == FALSE) {
+        return std::unexpected(system_error("cannot draw a text"));
+    }
+    ::GdiFlush();
+    Image image(*size);
+    for (int y = 0; y < size->height; ++y) {
+        for (int x = 0; x < size->width; ++x) {
+            const Pixel white = drawn.pixels[static_cast<std::ptrdiff_t>(y) * drawn.stride + x];
+            image.at(x, y) = ((white >> 8U) & 0xFFU) << 24U;
+        }
+    }
     return image;
 }
 
 }  // namespace
 
-TextPainter make_gdiplus_text_painter() {
+TextPainter make_text_painter() {
     return draw_line;
 }
 
