@@ -270,6 +270,25 @@ def best_engine(found):
             f"{best['times_event_driven']:.0f} times as long as `event_driven`.")
 
 
+def aims(data):
+    """What the physics set out to reach, and what this run says of it."""
+    def kernel(name):
+        return next((row for row in data["throughput"] if row["pets"] == 10000 and row["kernel"] == name), None)
+
+    asleep = next(row for row in data["scene-cost"] if row["case"] == "asleep, on no list")
+    lines = [["all pets at rest, whatever their number, a frame", "10 ns", f"0, and {number(asleep['ns'], 1)} ns a pet to skip it"]]
+    for name in ("avx2", "avx512"):
+        if row := kernel(name):
+            lines.append([f"the document's step, 10 000 pets, {name}", "0.5 ns, 4 times the class",
+                          f"{number(row['ns_per_pet_and_step'], 2)} ns, {row['times_as_fast_as_class']:.1f} times"])
+    others = [row for row in data["peers"] if row["bodies"] == 1000 and not row["engine"].startswith("hyrax")]
+    for row in sorted(others, key=lambda row: row["times_event_driven"])[:1]:
+        lines.append([f"1000 pets in flight against the quickest engine ({row['engine']})", "25 times",
+                      f"{row['times_event_driven']:.0f} times"])
+    lines.append(["collisions of pets with each other", "60 ns", "left out: pets pass through each other"])
+    return table(["", "aim", "measured"], lines)
+
+
 def figures(data):
     """What the template names."""
     precision = data["work-precision"]
@@ -294,7 +313,7 @@ def figures(data):
         "document_fails": len(failed["DOC"]), "exact_fails": len(failed["EXACT"]) or "none",
         "springs": spring_table(data["springs"]), "scene_costs": scene_costs(data["scene-cost"]),
         "throughputs": throughputs(data["throughput"]), "peers": peer_table(data["peers"]),
-        "best_engine": best_engine(data["peers"]),
+        "best_engine": best_engine(data["peers"]), "aims": aims(data),
         "document_error": number(document["error_rest"]),
         "document_error_240": number(cell("document", "document", 240)["error_rest"], 3),
         "worst_exact": number(max(max(row["error_1"], row["error_2"], row["error_5"])

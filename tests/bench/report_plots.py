@@ -214,7 +214,7 @@ def throughput(found, folder):
     figure, panel = pyplot.subplots(figsize=(9, 4.8))
     colours = ["#D55E00", "#E69F00", "#009E73", "#0072B2", "#CC79A7", "#888888"]
     kernels = list(dict.fromkeys(row["kernel"] for row in found))
-    for colour, marker, kernel in zip(colours, "osv^D*", kernels):
+    for colour, marker, kernel in zip(colours[: len(kernels)], "osv^D*", kernels):
         line = [row for row in found if row["kernel"] == kernel]
         panel.loglog([row["pets"] for row in line], [row["ns_per_pet_and_step"] for row in line],
                      color=colour, marker=marker, label=kernel)
@@ -229,10 +229,10 @@ def peers(found, folder):
     """Groups of bars."""
     engines = list(dict.fromkeys(row["engine"] for row in found))
     sizes = list(dict.fromkeys(row["bodies"] for row in found))
-    colours = ["#0072B2", "#E69F00", "#D55E00", "#009E73", "#CC79A7"]
+    colours = ["#0072B2", "#E69F00", "#D55E00", "#009E73", "#CC79A7", "#56B4E9"]
     figure, panel = pyplot.subplots(figsize=(9, 4.8))
     width = 0.8 / len(engines)
-    for i, (engine, colour) in enumerate(zip(engines, colours)):
+    for i, (engine, colour) in enumerate(zip(engines, colours[: len(engines)], strict=True)):
         line = [row for row in found if row["engine"] == engine]
         places = [x + (i - (len(engines) - 1) / 2) * width for x in range(len(sizes))]
         heights = [row["ns_per_body_and_step"] for row in line]

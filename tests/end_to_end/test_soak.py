@@ -10,7 +10,6 @@ the screens are announced in storms. `--debug +seh` keeps what Wine says of exce
 import argparse
 import json
 import re
-import statistics
 import sys
 import time
 from pathlib import Path
@@ -21,7 +20,7 @@ import wine
 PETS = 22
 MOST_SAMPLES = 24
 SECONDS_BETWEEN = 6  # at least: a sample starts programs, which takes one or two
-MOST_GROWTH = 1e6  # bytes, between the medians of the second and of the last quarter
+MOST_GROWTH = 1e6  # bytes, from one half to the other
 WM_DISPLAYCHANGE = 0x7E
 
 SCRIPT = """
@@ -92,16 +91,17 @@ def soak(desk, options):
 
 
 def judge(samples):
-    """What has grown: lines of text."""
-    quarter = len(samples) // 4
+    """What has grown: lines of text. What windows hold comes and goes with them, so that the least
+    of each half is what counts."""
+    half = len(samples) // 2
     problems = []
     for key, first in samples[0].items():
         values = [one[key] for one in samples]
-        early, late = statistics.median(values[quarter : 2 * quarter]), statistics.median(values[-quarter:])
-        print(f"   {key}: {first} first, {early:.0f} in the second quarter, {late:.0f} in the last")
+        early, late = min(values[:half]), min(values[half:])
+        print(f"   {key}: {first} first; at least {early} in the first half, {late} in the second one")
         limit = MOST_GROWTH if key in ("resident", "anonymous", "private_bytes") else 2
         if key not in ("frames", "server_resident", "server_anonymous") and late - early > limit:
-            problems.append(f"{key} grew from {early:.0f} to {late:.0f}")
+            problems.append(f"{key} grew from {early} to {late}")
     return problems
 
 
