@@ -16,7 +16,9 @@ std::string_view Watchdog::look(const ScriptPulse& pulse, std::optional<Ticks> u
         passed = *used - last_used_.value_or(*used);
         last_used_ = used;
     } else {
-        passed = std::clamp<Ticks>(now - last_look_, 0, look_period) / wall_factor;
+        const bool outside = pulse.script.load(std::memory_order_relaxed) == 0;
+        passed = std::clamp<Ticks>(now - last_look_, 0, look_period) /
+                 (outside ? wall_factor_outside : wall_factor);
     }
     last_look_ = now;
 

@@ -20,8 +20,10 @@ public:
     static constexpr Ticks longest_silence = 250 * ticks_per_ms;
     /// In one call that beats, which the limits inside the host should have ended long before.
     static constexpr Ticks longest_call = 3 * ticks_per_second;
-    /// Both are so much longer on the wall.
+    /// Both are so much longer on the wall,
     static constexpr int wall_factor = 4;
+    /// and so much while no script runs: a process that starts on a busy machine takes its time.
+    static constexpr int wall_factor_outside = 40;
     /// How often to look at least, and what one look counts at most on the wall.
     static constexpr Ticks look_period = 50 * ticks_per_ms;
 

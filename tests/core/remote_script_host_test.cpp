@@ -177,6 +177,19 @@ TEST_CASE("where it is not known, the wall counts in small steps") {
     CHECK(looks <= 22);
 }
 
+TEST_CASE("there, a process that has not begun with a script has ten seconds") {
+    Remote remote;
+    remote.process.used.reset();
+    remote.host.load(three);
+    remote.frame();
+    int looks = 0;
+    while (!remote.frame({}, 50 * ms)) {
+        ++looks;
+    }
+    CHECK(looks >= 195);
+    CHECK(looks <= 205);
+}
+
 TEST_CASE("a crash is the fault of the script that was running, an end from outside nobody's") {
     Remote remote;
     remote.host.load(three);

@@ -43,14 +43,14 @@ class OnThreeMonitors(unittest.TestCase):
         (pet,) = daemon.wait_for_rest()
         self.assertEqual((pet["x"], pet["y"]), (-600, 648 - BOX[1]))
         grip = (pet["x"] + FUR[0], pet["y"] + FUR[1])
-        self.desk.drag([(grip[0] - 15 * i, grip[1] - 20 * i) for i in range(11)], seconds=0.2)
-        thrown = daemon.wait_for_pets(lambda pets: pets and pets[0]["motion"] == "airborne", 10, "the throw")
-        # How fast the hand is, the machine's load decides.
-        self.assertLess(thrown[0]["vx"], -30)
+        # Long enough for a busy machine to see the hand on its way.
+        self.desk.drag([(grip[0] - 12 * i, grip[1] - 16 * i) for i in range(21)], seconds=0.5)
+        daemon.wait_for_pets(lambda pets: pets and pets[0]["motion"] == "airborne", 10, "the throw")
         rows = daemon.rows()
         last_held = max(i for i, row in enumerate(rows) if row["motion"] == "held")
-        self.assertAlmostEqual(rows[last_held]["x"], pet["x"] - 150, delta=40)
+        self.assertAlmostEqual(rows[last_held]["x"], pet["x"] - 240, delta=60)
         first = rows[last_held + 1]
+        # How fast the hand is, the machine's load decides.
         self.assertLess(first["vy"], -40)
         # Three to four, as the hand went.
         self.assertAlmostEqual(first["vx"] / first["vy"], 0.75, delta=0.35)

@@ -73,15 +73,11 @@ class OnThreeMonitors(unittest.TestCase):
         ]
 
     def moves(self, daemon, index, seconds=0.5):
-        """How far pet number `index` comes in that time [px]."""
-
-        def place():
-            return next((row["x"], row["y"]) for row in daemon.pets() if int(row["pet"]) == index)
-
-        before = place()
+        """How far pet number `index` goes in that time, there and back [px]."""
+        begin = len(daemon.rows())
         time.sleep(seconds)
-        after = place()
-        return abs(after[0] - before[0]) + abs(after[1] - before[1])
+        places = [(row["x"], row["y"]) for row in daemon.rows()[begin:] if int(row["pet"]) == index]
+        return sum(abs(b[0] - a[0]) + abs(b[1] - a[1]) for a, b in zip(places, places[1:]))
 
     def pet_on_each(self, **overlay):
         """On the main, the left and the right monitor, going up and down."""
