@@ -173,7 +173,13 @@ int run_daemon(const Places& places, const DaemonCommandLine& line, const std::w
         options.trace = *std::move(trace);
     }
     Daemon daemon(**desktop, std::move(options));
-    (*desktop)->on_modal_tick([&daemon] { daemon.run_due(); });
+    (*desktop)->on_modal_tick([&daemon](const std::vector<Input>& inbox) {
+        for (const Input& input : inbox) {
+            daemon.handle(input);
+        }
+        daemon.run_due();
+        return !daemon.is_ending();
+    });
     const auto tell_statistics = [&] {
         if (line.common.statistics) {
             log_failure(append_statistics(

@@ -28,6 +28,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -184,8 +185,7 @@ std::unique_ptr<hyrax::ScriptHost> remote_scripts(hyrax::HeadlessDesktop& deskto
         if (!remote.running() || !remote.busy()) {
             return false;
         }
-        constexpr int milliseconds = 20;
-        process.wait(milliseconds);
+        process.wait(std::chrono::milliseconds(20));
         return true;
     });
     return host;

@@ -187,20 +187,26 @@ function hyrax.arena() end
 ---@return hyrax.Monitor[]
 function hyrax.monitors() end
 
----Where the pointer is; nil while that is not known. Needs the permission "cursor".
+---Where the pointer is; nil while that is not known. Looked for before each run of the scripts, if the
+---script's text contains the word `cursor`. Needs the permission "cursor".
 ---@return number? x
 ---@return number? y
 function hyrax.cursor() end
----The rectangles of other programs' windows, the topmost first. Needs the permission "windows".
+---The rectangles of other programs' windows, the topmost first, as they were within the last 0.1 s. Read
+---if the script's text contains the word `windows`. Needs the permission "windows".
 ---@return hyrax.Rect[]
 function hyrax.windows() end
----Calls fn when the keys are pressed. Needs the permission "hotkeys".
+---Calls fn when the keys are pressed, in whatever program. At most 16 at a time; keys that somebody else
+---has are told in the log, and never come. Nothing is heard while hyrax is paused. Needs the permission
+---"hotkeys".
 ---@param keys string       such as "ctrl+alt+h" or "f8"
 ---@param label string      what it does, for the user; at most 64 bytes
 ---@param fn function
 ---@return hyrax.Subscription
 function hyrax.hotkey(keys, label, fn) end
----Tells the user something, at most once in 30 s. Needs the permission "notify".
+---Tells the user something, at most once in 30 s: a balloon at the tray with the script's name, and a line
+---in the log. No balloon while hyrax is quiet or hidden, or a program fills a screen. Needs the permission
+---"notify".
 ---@param text string       at most 200 bytes, plain text
 function hyrax.notify(text) end
 

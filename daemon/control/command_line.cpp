@@ -170,17 +170,22 @@ std::variant<HeadlessCommandLine, Farewell> parse_headless_arguments(
     )
         ->capture_default_str();
     app.add_option(
-        "--windows",
-        raw.windows,
-        "A CSV file of other programs' windows: time,id,x,y,width,height[,active hidden overlay "
-        "bar maximised]; the lines of one time are all of them, the topmost first"
-    );
+           "--windows",
+           raw.windows,
+           "A CSV file of other programs' windows: time,id,x,y,width,height[,active hidden overlay "
+           "bar maximised]; the lines of one time are all of them, the topmost first"
+    )
+        ->excludes("--serve")
+        ->excludes("--real-time");
     app.add_option("--snapshot", raw.snapshot, "Write the last frame to this PNG file");
     app.add_flag(
-        "--script-process",
-        line.script_process,
-        "Run scripts in a process of their own, as hyrax.exe does; time waits for it"
-    );
+           "--script-process",
+           line.script_process,
+           "Run scripts in a process of their own, as hyrax.exe does; time waits for it"
+    )
+        ->excludes("--test")
+        ->excludes("--serve")
+        ->excludes("--real-time");
     if (std::optional<Farewell> farewell = parse(app, arguments)) {
         return *std::move(farewell);
     }

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <utility>
 
@@ -40,8 +41,16 @@ void Daemon::run() {
             handle(input);
         }
     }
-    scripts_.end(engine_, monitors_, clock_.at(desktop_.now()));
-    grant_wishes(desktop_.now());
+    end_scripts();
+}
+
+// What scripts keep as they hear of the end is written, if they say it in time.
+void Daemon::end_scripts() {
+    constexpr std::chrono::milliseconds patience{300};
+    const Ticks now = desktop_.now();
+    scripts_.end(engine_, monitors_, {.world = clock_.at(now), .machine = now}, patience);
+    grant_wishes(now);
+    hotkeys_.clear(desktop_);
     stores_.write_all();
 }
 
@@ -76,7 +85,7 @@ void Daemon::draw(Ticks now) {
     mind_windows();
     if (!clock_.paused()) {
         engine_.advance(world);
-        scripts_.run(engine_, monitors_, world);
+        scripts_.run(engine_, monitors_, world, script_eyes());
         changed_ = engine_.has_events();
         grant_wishes(now);
     }
@@ -125,11 +134,16 @@ void Daemon::draw(Ticks now) {
 
 // What scripts ask of somebody else than the engine.
 void Daemon::grant_wishes(Ticks now) {
+    if (scripts_.take_loss()) {
+        hotkeys_.clear(desktop_);
+    }
     for (ScriptCommand& wish : scripts_.take_wishes()) {
         if (auto* const store = std::get_if<command::Store>(&wish)) {
             stores_.set(store->script, store->key, std::move(store->value), now);
         } else if (const auto* const notice = std::get_if<command::Notify>(&wish)) {
-            spdlog::info("notice of {}: {}", notice->script, notice->text);
+            grant(*notice, now);
+        } else if (const auto* const hotkey = std::get_if<command::Hotkey>(&wish)) {
+            grant(*hotkey, now);
         }
     }
 }

@@ -8,6 +8,7 @@
 #include "daemon/core/desktop.h"
 #include "daemon/core/engine.h"
 #include "daemon/core/hand.h"
+#include "daemon/core/hotkey_desk.h"
 #include "daemon/core/pacer.h"
 #include "daemon/core/presence.h"
 #include "daemon/core/profile.h"
@@ -21,9 +22,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hyrax {
@@ -58,6 +61,8 @@ public:
     void run();
     /// Draws the frame that is due, if one is. For message loops that are not run()'s own: menus.
     void run_due();
+    /// True once somebody has asked it to end: run() comes back as soon as wait() does.
+    bool is_ending() const { return quitting_; }
     /// Does at once what an input asks for; the picture follows with the next frame.
     void handle(const Input& input);
 
@@ -83,6 +88,7 @@ private:
     void on(const input::FactsChanged& changed);
     void on(const input::ScriptsHeard& heard);
     void on(const input::WindowsChanged& changed);
+    void on(const input::HotkeyPressed& pressed);
     void on(const input::Asked& asked);
     void on(const input::Left& left);
     void on(const Request& request);
@@ -139,7 +145,14 @@ private:
     void heed_presence(Ticks now);
     void choose_conduct(bool moving, bool animated);
 
+    // daemon_system.cpp
+    ScriptEyes script_eyes();
+    bool is_loaded(std::string_view script) const;
+    void grant(const command::Notify& notice, Ticks now);
+    void grant(const command::Hotkey& wish, Ticks now);
+
     void grant_wishes(Ticks now);
+    void end_scripts();
     void draw(Ticks now);
     void welcome();
     void report();
@@ -158,6 +171,10 @@ private:
     ControlDesk control_;
     Speeches speeches_;
     ScriptStores stores_;
+    HotkeyDesk hotkeys_;
+    std::map<std::string, Ticks, std::less<>> next_notices_;  ///< By script: not before then.
+    std::vector<Rect> window_frames_;                         ///< As scripts see them.
+    Ticks read_windows_again_ = 0;
     std::optional<Trace> trace_;
     std::vector<Request> first_requests_;
 

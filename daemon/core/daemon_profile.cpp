@@ -94,6 +94,7 @@ void Daemon::read_scripts() {
     });
     if (loaded.sources != sources_) {
         sources_ = std::move(loaded.sources);
+        hotkeys_.keep(desktop_, sources_);
         std::vector<ScriptSource> with_stores = sources_;
         for (ScriptSource& source : with_stores) {
             source.store = stores_.of(source.name);

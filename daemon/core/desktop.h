@@ -6,9 +6,11 @@
 #include "daemon/core/event.h"
 #include "daemon/core/facts.h"
 #include "daemon/core/frame.h"
+#include "daemon/core/key_combination.h"
 #include "daemon/core/ledges.h"
 #include "daemon/core/menu.h"
 #include "daemon/core/request.h"
+#include "daemon/core/result.h"
 #include "daemon/core/wall_time.h"
 #include "physics/ticks.h"
 
@@ -24,6 +26,10 @@ namespace hyrax {
 
 /// A client of the control channel, while it stays; no two have the same.
 using ClientId = std::uint64_t;
+
+/// A hotkey, while it is taken: from 1 to last_hotkey_id, as Windows lets programs count them.
+using HotkeyId = std::uint16_t;
+inline constexpr HotkeyId last_hotkey_id = 0xBFFF;
 
 namespace input {
 /// The pointer, in virtual desktop pixels. Pressed comes only for points on a pet's pixels.
@@ -67,6 +73,10 @@ struct FactsChanged {
 struct ScriptsHeard {};
 /// Windows of other programs came, went, moved or changed their order.
 struct WindowsChanged {};
+/// A hotkey that was taken was pressed, whoever has the keyboard.
+struct HotkeyPressed {
+    HotkeyId id = 0;
+};
 /// A client of the control channel asks something, in a text that is not checked yet.
 struct Asked {
     ClientId client = 0;
@@ -90,6 +100,7 @@ using Input = std::variant<
     input::FactsChanged,
     input::ScriptsHeard,
     input::WindowsChanged,
+    input::HotkeyPressed,
     input::Asked,
     input::Left,
     Request>;
@@ -164,7 +175,15 @@ public:
     virtual void show_menu(MenuItems, Point) {}
     /// A line of text, once, for somebody who has never seen the program.
     virtual void greet(const std::string&) {}
-    /// Where the pointer is now, if there is one.
+    /// A script tells the user something. The system may have reasons not to show it.
+    virtual void notify(const std::string& /*title*/, const std::string& /*text*/) {}
+    /// From now on the keys come as HotkeyPressed, and reach nobody else. `id` must be free. Fails
+    /// where another program has them.
+    [[nodiscard]] virtual Result<void> take_hotkey(HotkeyId /*id*/, const KeyCombination&) {
+        return failure("there is no keyboard here");
+    }
+    virtual void give_back_hotkey(HotkeyId /*id*/) {}
+    /// Where the pointer is now, if there is one [virtual desktop, physical px].
     virtual std::optional<Point> pointer() { return std::nullopt; }
     /// UTC where the desktop knows no other.
     virtual WallTime wall_time() {

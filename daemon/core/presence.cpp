@@ -111,6 +111,17 @@ bool Presence::wary() const {
     return !quiet(everywhere_) || !std::ranges::all_of(monitors_, quiet);
 }
 
+bool Presence::may_disturb() const {
+    const bool asked_for_quiet =
+        facts_.shell == ShellState::presenting || facts_.shell == ShellState::exclusive;
+    const bool filled = std::ranges::any_of(facts_.windows, [this](const FrontWindow& window) {
+        return std::ranges::any_of(monitors_, [&window](const Watched& place) {
+            return fills(window, place.monitor);
+        });
+    });
+    return !asked_for_quiet && !filled && !wary() && !decisions_.unseen;
+}
+
 FullScreenAct Presence::wanted_on(const Monitor& monitor) const {
     if (facts_.shell == ShellState::presenting) {
         return settings_.full_screen;

@@ -72,6 +72,8 @@ public:
     Ticks due() const;
     /// Something is in the way, or just was: the system may not tell when it ends.
     bool wary() const;
+    /// Whether the user may be shown a notice now: nobody fills a screen, somebody looks.
+    bool may_disturb() const;
 
     const Facts& facts() const { return facts_; }
     /// Whether some rule needs the name of the program in front.

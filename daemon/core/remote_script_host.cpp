@@ -70,7 +70,7 @@ void RemoteScriptHost::stop() {
 ScriptOutput RemoteScriptHost::run(const ScriptWorld& world, std::span<const ScriptEvent> events) {
     ScriptOutput output;
     outgoing_.clear();
-    if ((fresh_ || !running_) && !start(output)) {
+    if (world.ending ? !running_ : (fresh_ || !running_) && !start(output)) {
         return output;
     }
     wire::encode_run(outgoing_, ++number_, world, events);
@@ -207,6 +207,7 @@ void RemoteScriptHost::accept(const wire::Answer& answer) {
     if (fresh_) {
         output_->next_wake = 0;  // Others have been loaded meanwhile.
     } else if (sent_.empty() || (others_end && to_run().empty())) {
+        output_->lost = true;
         std::optional<ScriptOutput> last_words = std::move(output_);
         stop();
         output_ = std::move(last_words);
@@ -262,6 +263,7 @@ void RemoteScriptHost::end_process(std::string_view reason, bool blame) {
     }
     output_->listening = {};
     output_->next_wake = 0;
+    output_->lost = true;
     if (blame && running != 0 && running <= sent_.size()) {
         const ScriptSource culprit = sent_[running - 1];
         out_.insert(culprit);

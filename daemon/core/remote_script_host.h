@@ -8,6 +8,7 @@
 #include "daemon/core/script_wire.h"
 #include "daemon/core/watchdog.h"
 
+#include <chrono>
 #include <map>
 #include <memory>
 #include <optional>
@@ -38,6 +39,9 @@ public:
     std::optional<ScriptOutput> take_output() override;
     void watch(Ticks now) override;
     Ticks watch_due() const override;
+    bool wait(std::chrono::milliseconds patience) override {
+        return waiting_ && channel_->wait(patience);
+    }
 
     /// True while there is a process.
     bool running() const { return running_; }

@@ -46,6 +46,19 @@ struct MovingVerb {
     std::string_view operator()(const auto&) const { return {}; }
 };
 
+// Who does not name the function in its text does not call it: for that nothing is found out.
+struct Looks {
+    std::string_view permission;
+    bool operator()(const ScriptSource& source) const {
+        return source.text.contains(permission) &&
+               std::ranges::find(source.permissions, permission) != source.permissions.end();
+    }
+};
+
+bool is_hotkey(const ScriptCommand& given) {
+    return std::holds_alternative<command::Hotkey>(given);
+}
+
 void write_log(const ScriptLog& line) {
     constexpr spdlog::level::level_enum levels[] = {
         spdlog::level::info, spdlog::level::warn, spdlog::level::err
@@ -64,12 +77,10 @@ void ScriptBridge::load(std::vector<ScriptSource> sources) {
     }
     loaded_ = true;
     unloading_ = sources.empty();
-    permissions_.clear();
+    watch_cursor_ = std::ranges::any_of(sources, Looks{"cursor"});
+    watch_windows_ = std::ranges::any_of(sources, Looks{"windows"});
     std::map<std::string, std::string> texts;
     for (const ScriptSource& source : sources) {
-        permissions_.insert(
-            permissions_.end(), source.permissions.begin(), source.permissions.end()
-        );
         texts.emplace(source.name, source.text);
     }
     std::erase_if(errors_, [&](const auto& error) {
@@ -109,7 +120,9 @@ Ticks ScriptBridge::next_wake() const {
     return host_ && host_->busy() ? never : next_wake_;
 }
 
-void ScriptBridge::run(Engine& engine, const std::vector<Monitor>& monitors, Ticks now) {
+void ScriptBridge::run(
+    Engine& engine, const std::vector<Monitor>& monitors, Ticks now, const ScriptEyes& eyes
+) {
     if (!loaded_) {
         return;
     }
@@ -120,24 +133,20 @@ void ScriptBridge::run(Engine& engine, const std::vector<Monitor>& monitors, Tic
     const bool due = next_wake_ <= now || !events_.empty();
     if (due && commands_.empty() && !host_->busy()) {
         const std::vector<ScriptEvent> events = take_queue();
-        use(engine, host_->run(snapshot(engine, monitors, now), events));
+        ScriptWorld world = snapshot(engine, monitors, now);
+        if (watch_cursor_ && eyes.cursor) {
+            world.cursor = eyes.cursor();
+        }
+        if (watch_windows_ && eyes.windows) {
+            world.windows = eyes.windows();
+        }
+        use(engine, host_->run(world, events));
     }
     apply_commands(engine);
     forget_removed(engine);
     if (unloading_ && next_wake() == never && !host_->busy()) {
         loaded_ = unloading_ = false;
     }
-}
-
-void ScriptBridge::end(Engine& engine, const std::vector<Monitor>& monitors, Ticks now) {
-    if (!loaded_ || host_->busy()) {
-        return;
-    }
-    queue_events(engine);
-    ScriptWorld world = snapshot(engine, monitors, now);
-    world.ending = true;
-    use(engine, host_->run(world, take_queue()));
-    apply_commands(engine);
 }
 
 void ScriptBridge::queue_events(Engine& engine) {
@@ -165,17 +174,8 @@ std::vector<ScriptEvent> ScriptBridge::take_queue() {
     return events;
 }
 
-bool ScriptBridge::anybody_may(std::string_view permission) const {
-    return std::ranges::find(permissions_, permission) != permissions_.end();
-}
-
-void ScriptBridge::see(std::optional<Vec2> cursor, std::vector<Rect> windows) {
-    cursor_ = cursor;
-    windows_ = std::move(windows);
-}
-
 void ScriptBridge::tell(PressedHotkey hotkey) {
-    if (loaded_) {
+    if (loaded_ && pressed_hotkeys_.size() < most_pressed) {
         pressed_hotkeys_.push_back(std::move(hotkey));
         next_wake_ = 0;
     }
@@ -188,9 +188,21 @@ void ScriptBridge::use(Engine& engine, ScriptOutput output) {
             errors_[line.script] = line.text;  // Not the lines of its call trace.
         }
     }
+    if (output.lost) {
+        forget_hotkeys(output.commands);
+    }
     engine.listen(output.listening);
     next_wake_ = output.next_wake;
     std::ranges::move(output.commands, std::back_inserter(commands_));
+}
+
+// Those that were asked for and not looked at yet; the others are for who takes the loss.
+void ScriptBridge::forget_hotkeys(std::vector<ScriptCommand>& answered) {
+    lost_ = true;
+    pressed_hotkeys_.clear();
+    std::erase_if(answered, is_hotkey);
+    std::erase_if(commands_, is_hotkey);
+    std::erase_if(wishes_, is_hotkey);
 }
 
 void ScriptBridge::apply_commands(Engine& engine) {
@@ -230,8 +242,8 @@ ScriptWorld ScriptBridge::snapshot(
         .pets = {},
         .monitors = monitors,
         .kinds = engine.kinds(),
-        .cursor = cursor_,
-        .windows = windows_,
+        .cursor = {},
+        .windows = {},
         .pressed_hotkeys = std::exchange(pressed_hotkeys_, {}),
     };
     for (Kind& kind : world.kinds) {

@@ -5,8 +5,10 @@
 #include "daemon/core/engine.h"
 #include "daemon/core/script_port.h"
 
+#include <chrono>
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -19,6 +21,18 @@
 
 namespace hyrax {
 
+/// Finds out, just before a run, what some script may see and names in its text.
+struct ScriptEyes {
+    std::function<std::optional<Vec2>()> cursor{};  ///< Empty: not known.
+    std::function<std::vector<Rect>()> windows{};   ///< At most ScriptBridge::most_windows.
+};
+
+/// When the daemon ends, by both clocks.
+struct LastMoment {
+    Ticks world = 0;
+    Ticks machine = 0;
+};
+
 /// Without a host, or without a script, every call is free.
 class ScriptBridge {
 public:
@@ -28,6 +42,10 @@ public:
     static constexpr std::size_t most_commands = 1'000;
     /// Events that wait for scripts that are still busy. Above that, the oldest are dropped.
     static constexpr std::size_t most_events = 1'024;
+    /// That scripts are told of.
+    static constexpr std::size_t most_windows = 1'000;
+    /// Pressed hotkeys that wait for scripts that are still busy.
+    static constexpr std::size_t most_pressed = 16;
 
     /// Counts from the next load() on.
     void set_limits(const ScriptLimits& limits);
@@ -38,9 +56,17 @@ public:
     /// Hands over the engine's events, runs what is due at `now` and applies the commands. Failures
     /// are logged, the first one of a frame and how many there were; a command for a pet that has
     /// gone meanwhile is dropped.
-    void run(Engine& engine, const std::vector<Monitor>& monitors, Ticks now);
-    /// The last run: scripts that are not busy hear that the daemon ends.
-    void end(Engine& engine, const std::vector<Monitor>& monitors, Ticks now);
+    void run(
+        Engine& engine, const std::vector<Monitor>& monitors, Ticks now, const ScriptEyes& eyes = {}
+    );
+    /// The last run: scripts hear that the daemon ends, unless they do not come to it within the
+    /// patience. What they answer within it is carried out. The one call that waits.
+    void end(
+        Engine& engine,
+        const std::vector<Monitor>& monitors,
+        const LastMoment& at,
+        std::chrono::milliseconds patience
+    );
     /// While calm, no script sets a pet in motion that stands on the ground.
     void set_calm(bool calm) { calm_ = calm; }
     /// Scripts run on, but what moves or spawns pets is refused, with a warning for each verb.
@@ -56,23 +82,26 @@ public:
     /// When watch() wants to be called, at the latest [machine's clock].
     Ticks watch_due() const { return host_ ? host_->watch_due() : never; }
 
-    /// True if a loaded script has this permission: for nobody else anything has to be found out.
-    bool anybody_may(std::string_view permission) const;
-    /// What scripts with the permissions see from now on.
-    void see(std::optional<Vec2> cursor, std::vector<Rect> windows);
-    /// Told in the next run, which is due at once.
+    /// Told in the next run, which is due at once. Scripts that are busy for long miss some.
     void tell(PressedHotkey hotkey);
+    /// True once after nothing was left of the scripts' state: what they have asked of the desktop
+    /// before the next take_wishes() is void.
+    bool take_loss() { return std::exchange(lost_, false); }
     /// Commands of scripts that are not for the engine (Store, Notify, Hotkey), since the last
     /// call.
     std::vector<ScriptCommand> take_wishes() { return std::exchange(wishes_, {}); }
 
 private:
+    using Clock = std::chrono::steady_clock;
+
     PetKey key_of(PetId id) const;
     PetId id_of(PetKey key) const;
     ScriptWorld snapshot(const Engine& engine, const std::vector<Monitor>& monitors, Ticks now);
     bool must_stay(const Pet& pet) const;
     void queue_events(Engine& engine);
     std::vector<ScriptEvent> take_queue();
+    bool hear_out(Engine& engine, Ticks machine, Clock::time_point until);
+    void forget_hotkeys(std::vector<ScriptCommand>& answered);
     void use(Engine& engine, ScriptOutput output);
     void apply_commands(Engine& engine);
     Result<void> apply(Engine& engine, const ScriptCommand& command);
@@ -91,9 +120,9 @@ private:
     std::deque<ScriptEvent> events_;
     std::size_t dropped_events_ = 0;
     std::deque<ScriptCommand> commands_;
-    std::vector<std::string> permissions_;  // Of all scripts together.
-    std::optional<Vec2> cursor_;
-    std::vector<Rect> windows_;
+    bool watch_cursor_ = false;  // Some script may see it and names it.
+    bool watch_windows_ = false;
+    bool lost_ = false;
     std::vector<PressedHotkey> pressed_hotkeys_;
     std::vector<ScriptCommand> wishes_;
     // Pets that scripts spawned, both ways; all others have keys made from their ids.

@@ -6,6 +6,7 @@
 #include "daemon/core/script_pulse.h"
 #include "physics/ticks.h"
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -15,7 +16,8 @@
 
 namespace hyrax {
 
-/// A script host's process and the wire to it. At most one lives at a time. No call waits for it.
+/// A script host's process and the wire to it. At most one lives at a time. No call but
+/// wait() waits for it.
 class ScriptChannel {
 public:
     /// How a process ended.
@@ -37,6 +39,9 @@ public:
     virtual void receive(std::vector<std::byte>& bytes) = 0;
     /// Set once the process has ended; what it said before may still be received.
     virtual std::optional<End> ended() = 0;
+    /// Waits until there is something to receive or the process has ended, at most so long, and
+    /// sends meanwhile. False without a process.
+    virtual bool wait(std::chrono::milliseconds patience) = 0;
     /// Ends the process, whatever it does. Nothing is received from it afterwards.
     virtual void kill() = 0;
 

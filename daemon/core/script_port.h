@@ -11,6 +11,7 @@
 #include "physics/ticks.h"
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -187,6 +188,9 @@ struct ScriptOutput {
     std::vector<std::uint32_t> ended{};
     std::vector<ScriptTest> tests{};
     std::size_t open_tests = 0;  ///< Cases that have not ended yet.
+    /// Nothing is left of the scripts' state: what they have asked of the desktop is void. Never
+    /// said by scripts.
+    bool lost = false;
 };
 
 /// What a script may be allowed beyond its own pets.
@@ -237,6 +241,9 @@ public:
     virtual void watch(Ticks /*now*/) {}
     /// When watch() wants to be called, at the latest [machine's clock].
     virtual Ticks watch_due() const { return never; }
+    /// The exception: waits until watch() has something to hear, at most so long. False: nothing
+    /// will come.
+    virtual bool wait(std::chrono::milliseconds /*patience*/) { return false; }
 };
 
 }  // namespace hyrax

@@ -208,12 +208,16 @@ std::optional<Ticks> ChildProcess::processor_time() {
     return used_;
 }
 
-void ChildProcess::wait(int milliseconds) {
+bool ChildProcess::wait(std::chrono::milliseconds patience) {
+    if (!wire_) {
+        return false;
+    }
     flush();
     const auto wanted = static_cast<short>(unsent_.empty() ? POLLIN : POLLIN | POLLOUT);
     pollfd wire{.fd = wire_.raw(), .events = wanted, .revents = 0};
-    ::poll(&wire, 1, milliseconds);
+    ::poll(&wire, 1, static_cast<int>(patience.count()));
     flush();
+    return true;
 }
 
 }  // namespace hyrax

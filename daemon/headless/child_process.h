@@ -25,13 +25,11 @@ public:
     void send(std::span<const std::byte> bytes) override;
     void receive(std::vector<std::byte>& bytes) override;
     std::optional<End> ended() override;
+    bool wait(std::chrono::milliseconds patience) override;
     void kill() override;
     const ScriptPulse& pulse() const override;
     std::optional<Ticks> processor_time() override;
 
-    /// Waits until there is something to receive or the process has ended, and sends meanwhile; the
-    /// only call that waits, for desktops whose time is virtual.
-    void wait(int milliseconds);
     /// 0: no process.
     pid_t id() const { return pid_; }
 

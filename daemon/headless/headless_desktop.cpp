@@ -23,7 +23,21 @@ void HeadlessDesktop::add(TimedInput input) {
     inputs_.insert(place, std::move(input));
 }
 
+std::optional<Point> HeadlessDesktop::pointer() {
+    ++pointer_readings_;
+    return pointer_;
+}
+
+Result<void> HeadlessDesktop::take_hotkey(HotkeyId id, const KeyCombination& keys) {
+    if (std::ranges::find(occupied_, keys) != occupied_.end()) {
+        return failure("another program has it");
+    }
+    const bool is_new = hotkeys_.emplace(id, keys).second;
+    return is_new ? Result<void>() : failure("its number is taken");
+}
+
 std::vector<DesktopWindow> HeadlessDesktop::windows() {
+    ++window_readings_;
     const auto next = std::ranges::upper_bound(windows_, now_, {}, &TimedWindows::time);
     return next == windows_.begin() ? std::vector<DesktopWindow>{} : std::prev(next)->windows;
 }
@@ -62,10 +76,19 @@ std::vector<Input> HeadlessDesktop::wait(Ticks deadline) {
             inputs_[next_].before();
         }
         due.push_back(inputs_[next_].input);
+        follow_pointer(due.back());
     }
     ++counters_.wakeups;
     counters_.timer_wakeups += due.empty() ? 1U : 0U;
     return due;
+}
+
+void HeadlessDesktop::follow_pointer(const Input& input) {
+    if (const auto* const moved = std::get_if<input::Moved>(&input)) {
+        pointer_ = moved->at;
+    } else if (const auto* const pressed = std::get_if<input::Pressed>(&input)) {
+        pointer_ = pressed->at;
+    }
 }
 
 void HeadlessDesktop::present(const Frame& frame) {

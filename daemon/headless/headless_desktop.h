@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +29,12 @@ struct RecordedAnswer {
     ClientId client = 0;
     std::string text;
     Answer which = Answer::last;
+};
+
+struct RecordedNotice {
+    std::string title;
+    std::string text;
+    bool operator==(const RecordedNotice&) const = default;
 };
 
 /// Runs as fast as the machine can. Asked to wait for ever with nothing left to come, it quits.
@@ -59,10 +66,18 @@ public:
     void show_status(const Status& status) override { statuses_.push_back(status); }
     void show_menu(MenuItems menu, Point) override { menus_.push_back(std::move(menu)); }
     void greet(const std::string& text) override { greetings_.push_back(text); }
-    std::optional<Point> pointer() override { return pointer_; }
+    /// Where it was set, or pressed or moved last.
+    std::optional<Point> pointer() override;
     /// The clock starts at noon of the first of January 2026, UTC.
     WallTime wall_time() override { return {1'767'268'800 + now_ / ticks_per_second, 0}; }
     void set_pointer(Point at) { pointer_ = at; }
+    void notify(const std::string& title, const std::string& text) override {
+        notices_.push_back({title, text});
+    }
+    Result<void> take_hotkey(HotkeyId id, const KeyCombination& keys) override;
+    void give_back_hotkey(HotkeyId id) override { hotkeys_.erase(id); }
+    /// Another program has these.
+    void occupy(const KeyCombination& keys) { occupied_.push_back(keys); }
     void answer(ClientId client, std::string_view text, Answer which) override {
         answers_.push_back({client, std::string(text), which});
     }
@@ -80,10 +95,17 @@ public:
     const std::vector<Status>& statuses() const { return statuses_; }
     const std::vector<MenuItems>& menus() const { return menus_; }
     const std::vector<std::string>& greetings() const { return greetings_; }
+    const std::vector<RecordedNotice>& notices() const { return notices_; }
+    /// Those that are taken now.
+    const std::map<HotkeyId, KeyCombination>& hotkeys() const { return hotkeys_; }
+    /// How often somebody asked for the list of windows.
+    std::size_t window_readings() const { return window_readings_; }
+    std::size_t pointer_readings() const { return pointer_readings_; }
     const std::vector<RecordedAnswer>& answers() const { return answers_; }
 
 private:
     Ticks window_change() const;
+    void follow_pointer(const Input& input);
 
     std::vector<Monitor> monitors_;
     std::function<bool()> before_time_moves_;
@@ -103,6 +125,11 @@ private:
     std::vector<std::string> greetings_;
     std::optional<Point> pointer_;
     std::vector<RecordedAnswer> answers_;
+    std::vector<RecordedNotice> notices_;
+    std::map<HotkeyId, KeyCombination> hotkeys_;
+    std::vector<KeyCombination> occupied_;
+    std::size_t window_readings_ = 0;
+    std::size_t pointer_readings_ = 0;
 };
 
 /// The frame over the bounding box of the monitors, transparent where no pet is.

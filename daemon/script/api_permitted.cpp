@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a script may do only with a permission: see the pointer and windows, take hotkeys, notify.
+#include "daemon/core/key_combination.h"
 #include "daemon/script/api.h"
 #include "daemon/script/arguments.h"
-#include "daemon/script/hotkey_text.h"
 
 #include <fmt/format.h>
 
@@ -47,8 +47,8 @@ int windows(lua_State* lua, Script& script) {
 
 int hotkey(lua_State* lua, Script& script) {
     require_permission(lua, script, "hyrax.hotkey", "hotkeys");
-    const Result<std::string> keys =
-        normal_hotkey(text_argument(lua, 1, "hyrax.hotkey: keys", longest_keys));
+    const Result<KeyCombination> keys =
+        parse_keys(text_argument(lua, 1, "hyrax.hotkey: keys", longest_keys));
     if (!keys) {
         raise_error(lua, fmt::format("hyrax.hotkey: keys: {}", keys.error().message));
     }
@@ -56,7 +56,7 @@ int hotkey(lua_State* lua, Script& script) {
     require_function(lua, 3, "hyrax.hotkey: fn");
     add_handler(lua, script, Topic::hotkey, 0, 3);
     const std::uint64_t id = script.schedule.handlers().back().id;
-    script.command(lua, command::Hotkey{script.name(), id, *keys, label});
+    script.command(lua, command::Hotkey{script.name(), id, text_of(*keys), label});
     return 1;
 }
 

@@ -184,6 +184,20 @@ std::optional<ScriptChannel::End> ChildProcess::ended() {
     return End{crashed, fmt::format("exit code {:#x}", code)};
 }
 
+bool ChildProcess::wait(std::chrono::milliseconds patience) {
+    if (!process_) {
+        return false;
+    }
+    flush();
+    // The write only as long as one is under way: else its event says nothing.
+    const std::array<HANDLE, 3> events{heard_.raw(), process_.raw(), written_.raw()};
+    const DWORD count = writing_ ? 3 : 2;
+    const auto milliseconds = static_cast<DWORD>(patience.count());
+    ::WaitForMultipleObjects(count, events.data(), FALSE, milliseconds);
+    flush();
+    return true;
+}
+
 void ChildProcess::kill() {
     if (job_) {
         ::TerminateJobObject(job_.raw(), 1);

@@ -26,6 +26,7 @@ public:
     void send(std::span<const std::byte> bytes) override;
     void receive(std::vector<std::byte>& bytes) override;
     std::optional<End> ended() override;
+    bool wait(std::chrono::milliseconds patience) override;
     void kill() override;
     const ScriptPulse& pulse() const override;
     /// Nothing under Wine, which tells zeros of other processes.

@@ -13,6 +13,7 @@ namespace {
 // Missing in the headers of mingw-w64 10 for this version of Windows.
 constexpr DWORD_PTR child_process_policy = 0x2000E;  // PROC_THREAD_ATTRIBUTE_CHILD_PROCESS_POLICY
 constexpr DWORD no_child_process = 1;                // PROCESS_CREATION_CHILD_PROCESS_RESTRICTED
+constexpr DWORD_PTR job_list = 0x2000D;              // PROC_THREAD_ATTRIBUTE_JOB_LIST
 
 std::unexpected<Error> failed(const char* what) {
     return std::unexpected(system_error(std::string("cannot start the script host: ") + what));
@@ -76,11 +77,12 @@ Result<KernelObject> closed_job(std::size_t most_memory) {
 /// What CreateProcess is told apart from names.
 class Attributes {
 public:
-    explicit Attributes(std::span<HANDLE> inherited) {
+    Attributes(std::span<HANDLE> inherited, HANDLE job) : job_(job) {
+        constexpr DWORD most = 3;
         SIZE_T size = 0;
-        ::InitializeProcThreadAttributeList(nullptr, 2, 0, &size);
+        ::InitializeProcThreadAttributeList(nullptr, most, 0, &size);
         memory_.resize(size);
-        good_ = ::InitializeProcThreadAttributeList(list(), 2, 0, &size) != 0 &&
+        good_ = ::InitializeProcThreadAttributeList(list(), most, 0, &size) != 0 &&
                 ::UpdateProcThreadAttribute(
                     list(),
                     0,
@@ -94,6 +96,9 @@ public:
         ::UpdateProcThreadAttribute(
             list(), 0, child_process_policy, &policy_, sizeof policy_, nullptr, nullptr
         );
+        // Born inside its job, the process goes with the daemon at any moment. Where the system
+        // does not know it, start_confined() puts the process there before it runs.
+        ::UpdateProcThreadAttribute(list(), 0, job_list, &job_, sizeof job_, nullptr, nullptr);
     }
     Attributes(const Attributes&) = delete;
     Attributes& operator=(const Attributes&) = delete;
@@ -110,8 +115,15 @@ public:
 private:
     std::vector<std::byte> memory_;
     DWORD policy_ = no_child_process;
+    HANDLE job_;
     bool good_ = false;
 };
+
+bool put_into(HANDLE job, HANDLE process) {
+    BOOL inside = FALSE;
+    return (::IsProcessInJob(process, job, &inside) != 0 && inside != FALSE) ||
+           ::AssignProcessToJobObject(job, process) != 0;
+}
 
 }  // namespace
 
@@ -124,7 +136,7 @@ Result<ConfinedProcess> start_confined(const ConfinementPlan& plan) {
     if (!job) {
         return std::unexpected(job.error());
     }
-    Attributes attributes(plan.inherited);
+    Attributes attributes(plan.inherited, job->raw());
     if (!attributes.good()) {
         return failed("UpdateProcThreadAttribute");
     }
@@ -152,7 +164,7 @@ Result<ConfinedProcess> start_confined(const ConfinementPlan& plan) {
     }
     KernelObject process(started.hProcess);
     const KernelObject thread(started.hThread);
-    if (::AssignProcessToJobObject(job->raw(), process.raw()) == 0) {
+    if (!put_into(job->raw(), process.raw())) {
         const auto error = failed("AssignProcessToJobObject");
         ::TerminateProcess(process.raw(), 1);
         return error;

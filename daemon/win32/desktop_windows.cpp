@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/win32/desktop_windows.h"
 
+#include "daemon/win32/rect_from.h"
+
 #include <exception>
 
 namespace hyrax::win32 {
@@ -52,11 +54,7 @@ BOOL CALLBACK DesktopWindows::add_window(HWND window, LPARAM parameter) noexcept
     try {
         reading.windows->push_back({
             .id = id_of(window),
-            .bounds =
-                {static_cast<int>(frame.left),
-                 static_cast<int>(frame.top),
-                 static_cast<int>(frame.right - frame.left),
-                 static_cast<int>(frame.bottom - frame.top)},
+            .bounds = rect_from(frame),
             .active = window == ::GetForegroundWindow(),
             .visible = true,
             .solid = (more & WS_EX_TRANSPARENT) == 0,

@@ -4,6 +4,7 @@
 #include "daemon/core/presence.h"
 #include "daemon/win32/messages.h"
 #include "daemon/win32/process.h"
+#include "daemon/win32/rect_from.h"
 #include "daemon/win32/single_instance.h"
 #include "daemon/win32/text.h"
 
@@ -43,15 +44,6 @@ bool is_ours(HWND window) {
     DWORD process = 0;
     ::GetWindowThreadProcessId(window, &process);
     return process == ::GetCurrentProcessId();
-}
-
-Rect rect_from(const RECT& rect) {
-    return {
-        static_cast<int>(rect.left),
-        static_cast<int>(rect.top),
-        static_cast<int>(rect.right - rect.left),
-        static_cast<int>(rect.bottom - rect.top)
-    };
 }
 
 BOOL CALLBACK post_if_daemon(HWND window, LPARAM) noexcept {

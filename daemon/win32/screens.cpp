@@ -2,6 +2,7 @@
 #include "daemon/win32/screens.h"
 
 #include "daemon/win32/monitor_scale.h"
+#include "daemon/win32/rect_from.h"
 #include "daemon/win32/text.h"
 
 #include <algorithm>
@@ -9,15 +10,6 @@
 namespace hyrax::win32 {
 
 namespace {
-
-Rect rect_from(const RECT& rect) {
-    return {
-        static_cast<int>(rect.left),
-        static_cast<int>(rect.top),
-        static_cast<int>(rect.right - rect.left),
-        static_cast<int>(rect.bottom - rect.top)
-    };
-}
 
 /// [Hz]; 0 or 1 where the display does not tell.
 int refresh_rate_of(const wchar_t* device) {

@@ -127,14 +127,14 @@ void TrayIcon::set_tip(const std::wstring& tip) {
     }
 }
 
-void TrayIcon::notify(const std::wstring& text) {
+void TrayIcon::notify(const std::wstring& title, const std::wstring& text) {
     if (!shown_) {
         return;
     }
     NOTIFYICONDATAW icon = data();
     icon.uFlags |= NIF_INFO;
     icon.dwInfoFlags = NIIF_INFO | NIIF_RESPECT_QUIET_TIME;
-    std::ranges::copy(std::wstring_view(L"hyrax"), icon.szInfoTitle);
+    std::ranges::copy(shortened(title, std::size(icon.szInfoTitle) - 1), icon.szInfoTitle);
     std::ranges::copy(shortened(text, std::size(icon.szInfo) - 1), icon.szInfo);
     shell_(NIM_MODIFY, icon);
 }

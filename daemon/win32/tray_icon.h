@@ -32,8 +32,9 @@ public:
     void set_tip(const std::wstring& tip);
     /// For a change of the DPI or of the taskbar, and after Explorer has restarted.
     void renew(Ticks now);
-    /// A balloon with a line of text, unless the user wants no such now.
-    void notify(const std::wstring& text);
+    /// A balloon with a title and a line of text, cut where they are too long, unless the user
+    /// wants no such now.
+    void notify(const std::wstring& title, const std::wstring& text);
     /// Gives the keyboard back to the notification area after a menu was closed.
     void take_focus();
 

@@ -51,6 +51,7 @@ Result<void> Win32Desktop::start() {
     ::ChangeWindowMessageFilterEx(daemon_.raw(), taskbar_created_, MSGFLT_ALLOW, nullptr);
     about_.emplace(daemon_.raw(), modal_message);
     tray_.emplace(daemon_.raw(), tray_message, shell_notify, clock_now());
+    hotkeys_.emplace(daemon_.raw());
     front_.emplace(daemon_.raw());
     machine_.emplace(daemon_.raw(), clock_now(), facts_);
     return {};

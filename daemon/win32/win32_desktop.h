@@ -11,6 +11,7 @@
 #include "daemon/win32/clock.h"
 #include "daemon/win32/folder_watch.h"
 #include "daemon/win32/front_watch.h"
+#include "daemon/win32/hotkeys.h"
 #include "daemon/win32/machine_watch.h"
 #include "daemon/win32/message_window.h"
 #include "daemon/win32/messages.h"
@@ -57,8 +58,10 @@ public:
     ~Win32Desktop() override;
 
     /// While the menu is open or a box is dragged, the system's own loop holds wait(). Meanwhile
-    /// this is called some 60 times a second, to do what is due and to present; not to wait.
-    void on_modal_tick(std::function<void()> run_due) { run_due_ = std::move(run_due); }
+    /// this is called some 60 times a second, to take the input that has come, to do what is due
+    /// and to present; not to wait. False: an open menu is to close, because the daemon ends.
+    using ModalTick = std::function<bool(const std::vector<Input>& inbox)>;
+    void on_modal_tick(ModalTick go_on) { go_on_ = std::move(go_on); }
 
     /// Called from wait() for each message `hyrax.statistics` (RegisterWindowMessage) that the
     /// daemon's window gets.
@@ -80,6 +83,9 @@ public:
     void answer(ClientId client, std::string_view text, Answer which) override;
     void show_menu(MenuItems menu, Point anchor) override;
     void greet(const std::string& text) override;
+    void notify(const std::string& title, const std::string& text) override;
+    Result<void> take_hotkey(HotkeyId id, const KeyCombination& keys) override;
+    void give_back_hotkey(HotkeyId id) override;
     std::optional<Point> pointer() override;
     WallTime wall_time() override;
 
@@ -123,7 +129,7 @@ private:
     void modal_tick();
 
     Win32DesktopOptions options_;
-    std::function<void()> run_due_;
+    ModalTick go_on_;
     std::function<void()> tell_statistics_;
     std::vector<Input> inbox_;
     DesktopCounters counters_;  ///< Without the overlay's.
@@ -160,6 +166,7 @@ private:
     Pointer pointer_;
     std::optional<AboutBox> about_;
     std::optional<TrayIcon> tray_;
+    std::optional<Hotkeys> hotkeys_;
     std::optional<FrontWatch> front_;
     std::optional<MachineWatch> machine_;
 };

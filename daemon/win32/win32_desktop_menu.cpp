@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Menus: when they open, who has the focus afterwards, what the desktop's own items do.
+// Menus: when they open, who has the focus afterwards, what the desktop's own items do. And what
+// else the shell does for the daemon: notices and hotkeys.
 #include "daemon/win32/messages.h"
 #include "daemon/win32/process.h"
 #include "daemon/win32/text.h"
@@ -104,7 +105,19 @@ void Win32Desktop::carry_out(const desktop_command::SetAutostart& autostart) {
 }
 
 void Win32Desktop::greet(const std::string& text) {
-    tray_->notify(wide(text));
+    tray_->notify(L"hyrax", wide(text));
+}
+
+void Win32Desktop::notify(const std::string& title, const std::string& text) {
+    tray_->notify(wide(title), wide(text));
+}
+
+Result<void> Win32Desktop::take_hotkey(HotkeyId id, const KeyCombination& keys) {
+    return hotkeys_->take(id, keys);
+}
+
+void Win32Desktop::give_back_hotkey(HotkeyId id) {
+    hotkeys_->give_back(id);
 }
 
 WallTime Win32Desktop::wall_time() {

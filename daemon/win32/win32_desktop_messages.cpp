@@ -5,6 +5,8 @@
 #include "daemon/win32/tray_message.h"
 #include "daemon/win32/win32_desktop.h"
 
+#include <utility>
+
 namespace hyrax::win32 {
 
 std::optional<LRESULT> Win32Desktop::on_message(
@@ -47,6 +49,9 @@ std::optional<LRESULT> Win32Desktop::on_daemon_message(UINT message, WPARAM wpar
             return 0;
         case WM_TIMER:
             modal_tick();
+            return 0;
+        case WM_HOTKEY:
+            inbox_.emplace_back(input::HotkeyPressed{static_cast<HotkeyId>(wparam)});
             return 0;
         case WM_COPYDATA:
             return on_handed_over(lparam) ? TRUE : FALSE;
@@ -115,12 +120,15 @@ void Win32Desktop::end_modal() {
 }
 
 void Win32Desktop::modal_tick() {
-    if (in_modal_tick_ || modal_depth_ == 0 || !run_due_) {
+    if (in_modal_tick_ || modal_depth_ == 0 || !go_on_) {
         return;
     }
     in_modal_tick_ = true;
     try {
-        run_due_();
+        do_chores();
+        if (!go_on_(std::exchange(inbox_, {}))) {
+            ::EndMenu();
+        }
     } catch (...) {
         in_modal_tick_ = false;
         throw;

@@ -5,6 +5,8 @@
 #include "daemon/core/script_channel.h"
 #include "daemon/core/script_wire.h"
 
+#include <chrono>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,7 @@ struct FakeProcess {
     std::optional<ScriptChannel::End> end;
     ScriptPulse pulse{};
     std::optional<Ticks> used = 0;
+    std::function<void()> while_waited_for{};
 
     template <typename Message>
     std::vector<Message> heard_of() const {
@@ -65,6 +68,12 @@ public:
         process_.to_say.clear();
     }
     std::optional<End> ended() override { return process_.end; }
+    bool wait(std::chrono::milliseconds) override {
+        if (process_.while_waited_for) {
+            process_.while_waited_for();
+        }
+        return process_.alive && process_.while_waited_for;
+    }
     void kill() override {
         ++process_.kills;
         process_.alive = false;

@@ -3,7 +3,7 @@
 //   ledge_probe show x y width height   Shows it and waits until it is closed.
 //   ledge_probe move x y                Moves it, from outside.
 //   ledge_probe close                   Asks it to close.
-#include <windows.h>
+#include "tests/end_to_end/probe_window.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -13,47 +13,15 @@ namespace {
 
 constexpr const wchar_t* class_name = L"hyrax ledge probe";
 
-LRESULT CALLBACK handle(HWND window, UINT message, WPARAM wparam, LPARAM lparam) {
-    if (message == WM_DESTROY) {
-        ::PostQuitMessage(0);
-        return 0;
-    }
-    return ::DefWindowProcW(window, message, wparam, lparam);
-}
-
 int show(int x, int y, int width, int height) {
-    WNDCLASSW type{};
-    type.lpfnWndProc = handle;
-    type.hInstance = ::GetModuleHandleW(nullptr);
-    type.lpszClassName = class_name;
-    type.hbrBackground = static_cast<HBRUSH>(::GetStockObject(WHITE_BRUSH));
-    ::RegisterClassW(&type);
-    const HWND window = ::CreateWindowExW(
-        0,
-        class_name,
-        class_name,
-        WS_POPUP | WS_VISIBLE,
-        x,
-        y,
-        width,
-        height,
-        nullptr,
-        nullptr,
-        type.hInstance,
-        nullptr
+    const HWND window = hyrax::probe::show_window(
+        {.name = class_name, .x = x, .y = y, .width = width, .height = height}
     );
     if (window == nullptr) {
         return 1;
     }
-    ::UpdateWindow(window);
-    std::puts("ready");
-    std::fflush(stdout);  // the harness reads while the program runs
-
-    MSG message{};
-    while (::GetMessageW(&message, nullptr, 0, 0) > 0) {
-        ::DispatchMessageW(&message);
-    }
-    return 0;
+    hyrax::probe::tell("ready");
+    return hyrax::probe::run();
 }
 
 int move(int x, int y) {

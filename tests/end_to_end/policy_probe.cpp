@@ -6,7 +6,7 @@
 //                                          visible, and visible without NonRudeHWND.
 //   policy_probe send class message wparam lparam   Sends it to each window of the class.
 //   policy_probe post class message count  Posts it that many times.
-#include <windows.h>
+#include "tests/end_to_end/probe_window.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -68,8 +68,7 @@ int watch(double seconds) {
     const ULONGLONG end = ::GetTickCount64() + static_cast<ULONGLONG>(seconds * 1000.0);
     int seen = 0;
     int rude = 0;
-    std::puts("ready");
-    std::fflush(stdout);
+    hyrax::probe::tell("ready");
     while (::GetTickCount64() < end) {
         for (const HWND pane : windows_of("hyrax.pane")) {
             const bool has_property = ::GetPropW(pane, L"NonRudeHWND") != nullptr;
@@ -84,46 +83,21 @@ int watch(double seconds) {
     return 0;
 }
 
-LRESULT CALLBACK handle(HWND window, UINT message, WPARAM wparam, LPARAM lparam) {
-    if (message == WM_DESTROY) {
-        ::PostQuitMessage(0);
-        return 0;
-    }
-    return ::DefWindowProcW(window, message, wparam, lparam);
-}
-
 int stay_in_front(int x, int y, int width, int height) {
-    WNDCLASSW type{};
-    type.lpfnWndProc = handle;
-    type.hInstance = ::GetModuleHandleW(nullptr);
-    type.lpszClassName = L"hyrax policy probe";
-    type.hbrBackground = static_cast<HBRUSH>(::GetStockObject(BLACK_BRUSH));
-    ::RegisterClassW(&type);
-    const HWND window = ::CreateWindowExW(
-        0,
-        type.lpszClassName,
-        L"hyrax policy probe",
-        WS_POPUP | WS_VISIBLE,
-        x,
-        y,
-        width,
-        height,
-        nullptr,
-        nullptr,
-        type.hInstance,
-        nullptr
-    );
+    const HWND window = hyrax::probe::show_window({
+        .name = L"hyrax policy probe",
+        .x = x,
+        .y = y,
+        .width = width,
+        .height = height,
+        .brush = BLACK_BRUSH,
+    });
     if (window == nullptr) {
         return 1;
     }
     ::SetForegroundWindow(window);
-    std::puts(::GetForegroundWindow() == window ? "ready" : "not in front");
-    std::fflush(stdout);
-    MSG message{};
-    while (::GetMessageW(&message, nullptr, 0, 0) > 0) {
-        ::DispatchMessageW(&message);
-    }
-    return 0;
+    hyrax::probe::tell(::GetForegroundWindow() == window ? "ready" : "not in front");
+    return hyrax::probe::run();
 }
 
 int send(const std::string& class_name, UINT message, WPARAM wparam, LPARAM lparam) {

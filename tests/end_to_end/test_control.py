@@ -74,6 +74,22 @@ class Control(unittest.TestCase):
         self.assertEqual(listener.wait(20), 0)
         self.assertIn("no hyrax runs with the profile", self.ctl("status", code=3))
 
+    def test_an_open_menu_holds_no_client_up(self):
+        self.daemon.wait_for_pets(lambda pets: len(pets) == 1)
+        (tray,) = self.desk.windows("Wine System Tray")
+        self.desk.click(tray.x + 10, tray.y + 10, button=3)
+        menus = lambda: [window for window in self.desk.windows("^hyrax.exe$") if window.name == ""]
+        desktop.wait_for(menus, 10, "the menu")
+        question = self.start("status")
+        # Of these seconds most go by until Wine has started the client.
+        self.assertEqual(question.wait(20), 0)
+        self.assertEqual(json.loads(question.text())["result"]["pets"], 1)
+        self.result("spawn")
+        self.daemon.wait_for_pets(lambda pets: len(pets) == 2, 10, "the second pet beside the menu")
+        self.assertEqual(len(menus()), 1)
+        self.assertEqual(self.result("quit"), {})
+        self.assertEqual(self.daemon.program.wait(10), 0)
+
     def test_clients_cost_no_frame(self):
         self.daemon.wait_for_pets(lambda pets: len(pets) == 1)
         quiet = self.frame_rate(lambda: time.sleep(3.0))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tells the harness what a Win32 program sees: the monitors, and the clicks that reach its window.
 //   window_probe x y width height   Shows a plain window there; ends when it is closed.
-#include <windows.h>
+#include "tests/end_to_end/probe_window.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -37,11 +37,8 @@ LRESULT CALLBACK handle(HWND window, UINT message, WPARAM wparam, LPARAM lparam)
         case WM_RBUTTONDOWN:
             tell_button(window, "right", lparam);
             return 0;
-        case WM_DESTROY:
-            ::PostQuitMessage(0);
-            return 0;
         default:
-            return ::DefWindowProcW(window, message, wparam, lparam);
+            return hyrax::probe::end_with_window(window, message, wparam, lparam);
     }
 }
 
@@ -54,37 +51,18 @@ int main(int count, char** words) {
     }
     ::EnumDisplayMonitors(nullptr, nullptr, tell_monitor, 0);
 
-    WNDCLASSW type{};
-    type.lpfnWndProc = handle;
-    type.hInstance = ::GetModuleHandleW(nullptr);
-    type.lpszClassName = L"hyrax window probe";
-    type.hbrBackground = static_cast<HBRUSH>(::GetStockObject(WHITE_BRUSH));
-    type.hCursor = ::LoadCursorW(nullptr, reinterpret_cast<LPCWSTR>(IDC_ARROW));
-    ::RegisterClassW(&type);
-    const HWND window = ::CreateWindowExW(
-        WS_EX_TOOLWINDOW,
-        type.lpszClassName,
-        L"hyrax window probe",
-        WS_POPUP | WS_VISIBLE,
-        std::atoi(words[1]),
-        std::atoi(words[2]),
-        std::atoi(words[3]),
-        std::atoi(words[4]),
-        nullptr,
-        nullptr,
-        type.hInstance,
-        nullptr
-    );
+    const HWND window = hyrax::probe::show_window({
+        .name = L"hyrax window probe",
+        .x = std::atoi(words[1]),
+        .y = std::atoi(words[2]),
+        .width = std::atoi(words[3]),
+        .height = std::atoi(words[4]),
+        .extended_style = WS_EX_TOOLWINDOW,
+        .handle = handle,
+    });
     if (window == nullptr) {
         return 1;
     }
-    ::UpdateWindow(window);
-    std::puts("ready");
-    std::fflush(stdout);  // the harness reads while the program runs
-
-    MSG message{};
-    while (::GetMessageW(&message, nullptr, 0, 0) > 0) {
-        ::DispatchMessageW(&message);
-    }
-    return 0;
+    hyrax::probe::tell("ready");
+    return hyrax::probe::run();
 }

@@ -109,6 +109,22 @@ class Program(unittest.TestCase):
         self.assertEqual(traces[0], traces[1])
         self.assertGreater(len(traces[0]), 10_000)
 
+    def test_what_scripts_keep_at_the_end_is_written(self):
+        script = self.folder / "last.lua"
+        script.write_text("hyrax.on('unload', function(why) hyrax.store.set('why', why) end)")
+        for process in ([], ["--script-process"]):
+            state = self.folder / f"state{len(process)}"
+            done = run(*process, "--script", script, "--seconds", 1, "--state", state)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(json.loads((state / "store" / "last.lua.json").read_text()), {"why": "exit"})
+
+    def test_options_that_would_do_nothing_are_refused(self):
+        for option in (["--windows", "w.csv"], ["--script-process"]):
+            for clock in ("--real-time", "--serve"):
+                done = run(*option, clock, "--seconds", 1)
+                self.assertNotEqual(done.returncode, 0)
+                self.assertIn(f"{clock} excludes {option[0]}", done.stderr)
+
     def test_settings_that_surprise_are_explained(self):
         config = self.folder / "config.json"
         config.write_text('{"physics": {"gravity": 1e9}}')

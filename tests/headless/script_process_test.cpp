@@ -106,7 +106,9 @@ struct Scene {
     bool until(const std::function<bool()>& condition) {
         for (int i = 0; i < 30'000 && !condition(); ++i) {
             frame();
-            process->wait(2);
+            if (!process->wait(std::chrono::milliseconds(2))) {
+                ::usleep(2'000);
+            }
         }
         return condition();
     }
@@ -183,6 +185,23 @@ TEST_CASE("every attack ends as its first line says, in a process of its own") {
         CHECK(scene.engine.size() >= pets);
     }
     CHECK(no_children());
+}
+
+TEST_CASE("the end is heard in a process of its own, and costs little when scripts hang") {
+    const std::string keeps =
+        "hyrax.on('unload', function(why) hyrax.store.set('why', why) print(why) end)";
+    Scene good(Sources{{"good.lua", honest + " " + keeps}});
+    REQUIRE(good.until([&] { return good.log.has("good.lua: tick"); }));
+    good.bridge.end(good.engine, {}, {good.now, machine_now()}, std::chrono::seconds(30));
+    CHECK(good.log.has("good.lua: exit"));
+    const auto wishes = good.bridge.take_wishes();
+    REQUIRE(wishes.size() == 1);
+    CHECK(std::get<command::Store>(wishes[0]).value == ScriptValue{std::string("exit")});
+
+    Scene bad(Sources{{"bad.lua", bomb}});
+    bad.frame();
+    bad.bridge.end(bad.engine, {}, {bad.now, machine_now()}, std::chrono::milliseconds(20));
+    CHECK(bad.bridge.take_wishes().empty());
 }
 
 TEST_CASE("frames go on while a script hangs in one library call") {

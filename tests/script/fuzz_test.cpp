@@ -73,7 +73,7 @@ public:
             static_cast<void>(bridge_.take_wishes());
             check();
         }
-        bridge_.end(engine_, monitors_, now_);
+        bridge_.end(engine_, monitors_, {now_, now_}, {});
         check();
     }
 

@@ -17,10 +17,17 @@ struct Shell {
     bool has_icon = false;
     std::vector<DWORD> actions;
     std::wstring tip;
+    std::wstring title{};
+    std::wstring notice{};
 
     bool operator()(DWORD action, NOTIFYICONDATAW& data) {
         actions.push_back(action);
         tip = data.szTip;
+        if ((data.uFlags & NIF_INFO) != 0) {
+            CHECK((data.dwInfoFlags & NIIF_RESPECT_QUIET_TIME) != 0);
+            title = data.szInfoTitle;
+            notice = data.szInfo;
+        }
         const bool ok = there && (action == NIM_ADD ? !has_icon : has_icon);
         has_icon = (has_icon || (ok && action == NIM_ADD)) && !(ok && action == NIM_DELETE);
         return ok;
@@ -89,4 +96,17 @@ TEST_CASE("the tip begins with the name and holds what fits") {
     icon.set_tip(L"hyrax\n2 pets");
     CHECK(shell.actions == std::vector<DWORD>{NIM_MODIFY});
     CHECK(shell.tip == L"hyrax\n2 pets");
+}
+
+TEST_CASE("a notice has a title, and both are cut to what fits") {
+    Shell shell;
+    TrayIcon icon = icon_in(shell);
+    icon.notify(L"rain.lua", L"It rains.");
+    CHECK(shell.title == L"rain.lua");
+    CHECK(shell.notice == L"It rains.");
+    icon.notify(std::wstring(100, L't'), std::wstring(400, L'n'));
+    CHECK(shell.title.size() == 63);
+    CHECK(shell.notice.size() == 255);
+    icon.set_tip(L"hyrax");
+    CHECK(shell.notice.size() == 255);  // told once
 }
