@@ -189,9 +189,21 @@ struct ScriptOutput {
     std::size_t open_tests = 0;  ///< Cases that have not ended yet.
 };
 
+/// The version of what scripts can call. A plugin that asks for the same major and no later minor
+/// runs.
+inline constexpr int script_api_major = 1;
+inline constexpr int script_api_minor = 0;
+
 /// What a script may be allowed beyond its own pets.
-inline constexpr std::array<std::string_view, 5> script_permissions{
-    "cursor", "hotkeys", "notify", "pets.others", "windows"
+inline constexpr std::array<std::string_view, 6> script_permissions{
+    "cursor", "hotkeys", "notify", "pets.others", "wind", "windows"
+};
+
+/// Text that a script's `require` finds.
+struct ScriptModule {
+    std::string name;  ///< "lib.score"
+    std::string text;
+    bool operator==(const ScriptModule&) const = default;
 };
 
 /// A script's text under the name that messages use, and what comes with it.
