@@ -65,12 +65,12 @@ void ScriptBridge::load(std::vector<ScriptSource> sources) {
     loaded_ = true;
     unloading_ = sources.empty();
     permissions_.clear();
-    std::map<std::string, std::string> texts;
+    std::map<std::string, Text> texts;
     for (const ScriptSource& source : sources) {
         permissions_.insert(
             permissions_.end(), source.permissions.begin(), source.permissions.end()
         );
-        texts.emplace(source.name, source.text);
+        texts.emplace(source.name, Text{source.text, source.turn});
     }
     std::erase_if(errors_, [&](const auto& error) {
         const auto now = texts.find(error.first);
@@ -181,6 +181,16 @@ void ScriptBridge::tell(PressedHotkey hotkey) {
     }
 }
 
+std::uint64_t ScriptBridge::evaluate(std::string script, std::string text) {
+    evaluations_.push_back({++last_evaluation_, std::move(script), std::move(text)});
+    next_wake_ = 0;
+    return last_evaluation_;
+}
+
+std::vector<std::string> ScriptBridge::ended() const {
+    return host_ ? host_->ended() : std::vector<std::string>{};
+}
+
 void ScriptBridge::use(Engine& engine, ScriptOutput output) {
     for (const ScriptLog& line : output.log) {
         write_log(line);
@@ -190,7 +200,11 @@ void ScriptBridge::use(Engine& engine, ScriptOutput output) {
     }
     engine.listen(output.listening);
     next_wake_ = output.next_wake;
+    if (!evaluations_.empty()) {
+        next_wake_ = 0;  // They came while scripts were at work.
+    }
     std::ranges::move(output.commands, std::back_inserter(commands_));
+    std::ranges::move(output.evaluated, std::back_inserter(evaluated_));
 }
 
 void ScriptBridge::apply_commands(Engine& engine) {
@@ -233,6 +247,7 @@ ScriptWorld ScriptBridge::snapshot(
         .cursor = cursor_,
         .windows = windows_,
         .pressed_hotkeys = std::exchange(pressed_hotkeys_, {}),
+        .evaluations = std::exchange(evaluations_, {}),
     };
     for (Kind& kind : world.kinds) {
         kind.box = engine.usual_box(kind);

@@ -49,6 +49,21 @@ struct PressedHotkey {
     std::uint64_t id = 0;
 };
 
+/// A text to run in a script, for somebody who writes it.
+struct Evaluation {
+    std::uint64_t id = 0;
+    std::string script;
+    std::string text;  ///< An expression or statements; empty: only whether the script runs.
+};
+
+/// What came of an evaluation.
+struct Evaluated {
+    std::uint64_t id = 0;
+    bool good = false;
+    std::string text{};     ///< The values, as people read them, or the error.
+    std::string printed{};  ///< What it wrote into the log until it first waited, line by line.
+};
+
 /// The world at one moment. A pet that is not listed is gone.
 struct ScriptWorld {
     Ticks now = 0;
@@ -60,6 +75,7 @@ struct ScriptWorld {
     std::vector<Rect> windows{
     };  ///< Of other programs, the topmost first, where a script may know.
     std::vector<PressedHotkey> pressed_hotkeys{};
+    std::vector<Evaluation> evaluations{};
     /// The daemon ends: scripts hear it in `unload`, and nothing afterwards.
     bool ending = false;
 };
@@ -187,6 +203,7 @@ struct ScriptOutput {
     std::vector<std::uint32_t> ended{};
     std::vector<ScriptTest> tests{};
     std::size_t open_tests = 0;  ///< Cases that have not ended yet.
+    std::vector<Evaluated> evaluated{};
 };
 
 /// The version of what scripts can call. A plugin that asks for the same major and no later minor
@@ -215,6 +232,7 @@ struct ScriptSource {
     ScriptTable config{};                    ///< The user's settings of it.
     ScriptTable store{};                     ///< What it has kept so far.
     bool testing = false;                    ///< It gets hyrax.test, and its cases run.
+    std::uint64_t turn = 0;                  ///< With another one the same text starts again.
     bool operator==(const ScriptSource&) const = default;
 };
 
@@ -238,6 +256,9 @@ public:
     /// Runs what is due: main chunks, handlers of the events, timers up to `world.now`. A host that
     /// works elsewhere only sends the order, is then busy(), and has its output later.
     virtual ScriptOutput run(const ScriptWorld& world, std::span<const ScriptEvent> events) = 0;
+
+    /// Those of the loaded that do not run: ended by their limits, or never loaded well.
+    virtual std::vector<std::string> ended() const { return {}; }
 
     // --- for hosts that work elsewhere; no call waits ---
 
