@@ -45,6 +45,9 @@ void ControlDesk::tell_evaluated(
 }
 
 void ControlDesk::tell_late(Daemon& daemon, Desktop& desktop, Ticks now) {
+    if (waiting_.empty()) {
+        return;
+    }
     std::vector<Evaluated> late;
     for (const Waiting& waiting : waiting_) {
         if (now >= waiting.until) {

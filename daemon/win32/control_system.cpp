@@ -139,7 +139,7 @@ public:
         while (wide.ends_with(L'\n') || wide.ends_with(L'\r')) {
             wide.pop_back();
         }
-        return to_utf8(wide);
+        return utf8(wide);
     }
 
     Result<fs::path> usual_profile() override {
