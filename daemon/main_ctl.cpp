@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // hyraxctl: one request to the daemon that runs, and its answer.
+#include "daemon/check/plugin_check.h"
+#include "daemon/control/client.h"
 #include "daemon/control/connection.h"
 #include "daemon/control/conversation.h"
 #include "daemon/control/ctl_command_line.h"
 #include "daemon/control/ctl_output.h"
+#include "daemon/control/ctl_task.h"
 #include "daemon/control/save_file.h"
 
 #include <fmt/format.h>
@@ -47,27 +50,22 @@ int print_events(Connection& connection, bool json) {
     }
 }
 
-struct Talk {
-    std::unique_ptr<Connection> connection;
-    std::string answer;
-};
-
-Result<Talk> ask(
-    ControlSystem& system, const std::filesystem::path& profile, const std::string& request
-) {
-    Result<std::unique_ptr<Connection>> connection = system.connect(profile);
-    if (!connection) {
-        return std::unexpected(connection.error());
+// As compilers tell it.
+int check(ControlSystem& system, const std::filesystem::path& folder) {
+    const PluginReport report = check_plugin(folder, system.shipped(), system.decoder());
+    for (const std::string& line : report.said) {
+        fmt::print("{}\n", line);
     }
-    Conversation conversation(**connection);
-    if (const Result<void> asked = conversation.ask(request); !asked) {
-        return std::unexpected(asked.error());
+    for (const std::string& line : report.warnings) {
+        fmt::print(stderr, "warning: {}\n", line);
     }
-    Result<std::string> answer = conversation.answer();
-    if (!answer) {
-        return std::unexpected(answer.error());
+    for (const std::string& line : report.errors) {
+        fmt::print(stderr, "{}{}\n", line.starts_with(' ') ? "" : "error: ", line);
     }
-    return Talk{*std::move(connection), *std::move(answer)};
+    if (report.good()) {
+        fmt::print("good: it ran for a minute; {} cases passed\n", report.cases);
+    }
+    return report.good() ? exit_ok : exit_refused;
 }
 
 int run(ControlSystem& system, const CtlCommandLine& line) {
@@ -76,14 +74,23 @@ int run(ControlSystem& system, const CtlCommandLine& line) {
     if (!profile) {
         return no_daemon(profile.error());
     }
+    if (line.task) {
+        return perform(
+            *line.task,
+            {system,
+             *profile,
+             [&system](const std::filesystem::path& folder) { return check(system, folder); }}
+        );
+    }
+    const Client client(system, *profile);
     // The daemon itself does not wait for a file that another program holds: pets would stand
     // still.
     constexpr int attempts = 40;
     constexpr std::chrono::milliseconds pause{50};
-    Result<Talk> talk = ask(system, *profile, line.request);
+    Result<Talk> talk = client.ask(line.request);
     for (int i = 1; i < attempts && talk && shown_answer(talk->answer).refusal == not_saved; ++i) {
         std::this_thread::sleep_for(pause);
-        talk = ask(system, *profile, line.request);
+        talk = client.ask(line.request);
     }
     if (!talk) {
         return no_daemon(talk.error());

@@ -6,7 +6,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <iterator>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace hyrax {
@@ -15,7 +19,35 @@ namespace {
 // By the words that stand in front, "" or "config get": what may follow.
 using Followers = std::map<std::string, std::vector<std::string>>;
 
+// Commands that are no requests: those of ctl_task_command_line.cpp.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> other_commands{{
+    {"completion", "bash powershell"},
+    {"repl", "--help"},
+    {"plugin", "new check install remove"},
+    {"plugin new", "--into --help"},
+    {"plugin check", "--help"},
+    {"plugin install", "--replace --help"},
+    {"plugin remove", "--yes --help"},
+}};
+
+std::vector<std::string> split(std::string_view text) {
+    std::vector<std::string> words;
+    while (!text.empty()) {
+        const std::string_view word = text.substr(0, text.find(' '));
+        words.emplace_back(word);
+        text.remove_prefix(std::min(text.size(), word.size() + 1));
+    }
+    return words;
+}
+
 void add_words_of(const Verb& verb, std::vector<std::string>& words) {
+    if (!verb.usage.empty()) {
+        std::ranges::copy_if(split(verb.usage), std::back_inserter(words), [](const auto& word) {
+            return word.starts_with("--");
+        });
+        words.emplace_back("--help");
+        return;
+    }
     for (const Parameter& parameter : verb.parameters) {
         if (!parameter.positional) {
             words.push_back("--" + std::string(parameter.name));
@@ -43,8 +75,11 @@ Followers followers() {
         }
         add_words_of(verb, all[name]);
     }
-    all["completion"] = {"bash", "powershell"};
-    for (const char* word : {"completion", "--json", "--profile", "--help", "--version"}) {
+    for (const auto& [name, words] : other_commands) {
+        all[std::string(name)] = split(words);
+    }
+    for (const char* word :
+         {"repl", "plugin", "completion", "--json", "--profile", "--help", "--version"}) {
         all[""].emplace_back(word);
     }
     return all;
@@ -66,7 +101,7 @@ _hyraxctl() {{
             -*) ;;
             *) case $before in
                 "") before=$word ;;
-                config) before="config $word" ;;
+                config | scripts | plugin) before="$before $word" ;;
             esac ;;
         esac
     done
@@ -78,6 +113,10 @@ _hyraxctl() {{
 {}        *) words="" ;;
     esac
     COMPREPLY=($(compgen -W "$words" -- "${{COMP_WORDS[COMP_CWORD]}}"))
+    case $before in
+        run | "plugin check" | "plugin install")
+            COMPREPLY+=($(compgen -f -- "${{COMP_WORDS[COMP_CWORD]}}")) ;;
+    esac
 }}
 complete -F _hyraxctl hyraxctl
 )text",
@@ -105,7 +144,7 @@ Register-ArgumentCompleter -Native -CommandName hyraxctl, hyraxctl.exe -ScriptBl
         elseif ($word -eq '--profile') {{ $skip = $true }}
         elseif ($word.StartsWith('-')) {{ }}
         elseif ($before -eq '') {{ $before = $word }}
-        elseif ($before -eq 'config') {{ $before = "config $word" }}
+        elseif ($before -in 'config', 'scripts', 'plugin') {{ $before = "$before $word" }}
     }}
     "$($followers[$before])".Split(' ') | Where-Object {{ $_ -and $_.StartsWith($wordToComplete) }} | ForEach-Object {{
         [System.Management.Automation.CompletionResult]::new($_, $_, 'ParameterValue', $_)

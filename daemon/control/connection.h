@@ -3,6 +3,7 @@
 // picks the room that defines it.
 #pragma once
 
+#include "daemon/core/image.h"
 #include "daemon/core/result.h"
 
 #include <chrono>
@@ -38,6 +39,14 @@ public:
     ControlSystem& operator=(const ControlSystem&) = delete;
     virtual ~ControlSystem() = default;
 
+    /// The folder of what comes with the program.
+    virtual std::filesystem::path shipped() = 0;
+    /// How sprite sheets are read. It must not outlive this object.
+    virtual ImageDecoder decoder() = 0;
+    /// True while a person types.
+    virtual bool is_interactive() = 0;
+    /// The next line of the standard input in UTF-8, without its end; nothing at the end of it.
+    virtual std::optional<std::string> read_line() = 0;
     /// UTF-8, the program's name left out.
     virtual std::vector<std::string> arguments() = 0;
     /// The folder that the daemon uses if nothing else is said.

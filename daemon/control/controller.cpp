@@ -7,6 +7,8 @@
 #include "daemon/core/text_cursor.h"
 
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <utility>
 
 namespace hyrax {
@@ -25,6 +27,16 @@ std::string refusal_text(const Refusal& refusal) {
         {"ok", false},
         {"error", {{"code", refusal.code}, {"message", shortened(refusal.message, longest)}}},
     });
+}
+
+std::string answer_text(const Outcome& outcome) {
+    if (!outcome) {
+        return refusal_text(outcome.error());
+    }
+    std::string answer = text_of({{"ok", true}, {"result", *outcome}});
+    return answer.size() <= max_message
+               ? answer
+               : refusal_text({"too_long", "the answer would be too long; ask for less"});
 }
 
 double rounded(double value) {
@@ -82,16 +94,24 @@ public:
         if (!request) {
             return {refusal_text(request.error())};
         }
-        VerbContext context{.daemon = daemon, .save = save_, .watchers = watchers};
+        VerbContext context{
+            .daemon = daemon, .save = save_, .upload = upload_, .watchers = watchers
+        };
         const Outcome outcome = request->verb->carry_out(context, request->arguments);
-        if (!outcome) {
-            return {refusal_text(outcome.error())};
+        if (context.waits) {
+            waiting_[context.waits->evaluation] = *context.waits;
+            return {.text = {}, .watch = {}, .evaluation = context.waits->evaluation};
         }
-        std::string answer = text_of({{"ok", true}, {"result", *outcome}});
-        if (answer.size() > max_message) {
-            return {refusal_text({"too_long", "the answer would be too long; ask for less"})};
+        return {answer_text(outcome), context.watch};
+    }
+
+    std::string evaluated(Daemon& daemon, const Evaluated& evaluated) override {
+        const auto entry = waiting_.extract(evaluated.id);
+        if (entry.empty()) {
+            return refusal_text({"refused", evaluated.text});
         }
-        return {std::move(answer), context.watch};
+        const Waits& waits = entry.mapped();
+        return answer_text(waits.finish(daemon, waits.script, evaluated));
     }
 
     std::string told(const Engine& engine, const Event& event, double seconds) override {
@@ -100,6 +120,8 @@ public:
 
 private:
     SaveFile save_;
+    Upload upload_;
+    std::map<std::uint64_t, Waits> waiting_;  // By their evaluations.
 };
 
 }  // namespace

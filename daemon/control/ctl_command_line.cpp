@@ -2,8 +2,10 @@
 #include "daemon/control/ctl_command_line.h"
 
 #include "daemon/control/cli_parse.h"
+#include "daemon/control/ctl_task_command_line.h"
 #include "daemon/control/request_check.h"
 #include "daemon/core/files.h"
+#include "daemon/core/framing.h"
 
 #include <fmt/format.h>
 
@@ -38,9 +40,13 @@ json value_of(const Parameter& parameter, const std::vector<std::string>& texts)
         }
         case ParameterType::events:
             return texts;
+        case ParameterType::flag:
+            return true;
         case ParameterType::text:
         case ParameterType::pet:
         case ParameterType::key:
+        case ParameterType::script:
+        case ParameterType::code:
             return texts.front();
     }
     std::unreachable();
@@ -59,12 +65,6 @@ std::string help_of(const Parameter& parameter) {
     return help;
 }
 
-CLI::App* subcommand_of(CLI::App& app, const std::string& name) {
-    const std::vector<CLI::App*> found =
-        app.get_subcommands([&name](const CLI::App* each) { return each->get_name() == name; });
-    return found.empty() ? nullptr : found.front();
-}
-
 // "config get" is a command within "config".
 CLI::App* app_for(CLI::App& root, const Verb& verb) {
     const std::size_t space = verb.name.find(' ');
@@ -73,6 +73,7 @@ CLI::App* app_for(CLI::App& root, const Verb& verb) {
         return root.add_subcommand(first, std::string(verb.help));
     }
     CLI::App* parent = subcommand_of(root, first);
+    // "scripts" is a verb itself.
     if (parent == nullptr) {
         parent = root.add_subcommand(first, "Settings: get and set.");
         parent->require_subcommand(1);
@@ -93,12 +94,6 @@ void add_parameters(Command& command) {
             option->expected(1)->allow_extra_args(false);
         }
     }
-}
-
-Farewell wrong_usage(std::string_view where, std::string_view message) {
-    return {
-        fmt::format("hyraxctl: {}{}{}\n", where, where.empty() ? "" : ": ", message), exit_usage
-    };
 }
 
 // CLI11 would say "The following argument was not expected" of a misspelt verb.
@@ -131,6 +126,14 @@ std::variant<CtlCommandLine, Farewell> request_of(const Command& command, CtlCom
     }
     arguments["do"] = command.verb->name;
     line.request = arguments.dump(-1, ' ', false, json::error_handler_t::replace);
+    if (line.request.size() > max_message) {
+        return wrong_usage(
+            command.verb->name,
+            fmt::format(
+                "the request has {} bytes, and {} is the most", line.request.size(), max_message
+            )
+        );
+    }
     line.stays = command.verb->name == "events";
     return line;
 }
@@ -164,8 +167,11 @@ std::variant<CtlCommandLine, Farewell> parse_ctl_arguments(const std::vector<std
         commands[i].verb = &verbs()[i];
         commands[i].app = app_for(app, verbs()[i]);
         commands[i].app->footer(fmt::format("Example: hyraxctl {}", verbs()[i].example));
-        add_parameters(commands[i]);
+        if (verbs()[i].usage.empty()) {
+            add_parameters(commands[i]);
+        }
     }
+    TaskCommands tasks(app, line);
     CLI::App* const completion =
         app.add_subcommand("completion", "Prints what completes command lines in a shell.");
     completion->add_option("shell", shell, "bash or powershell")->required()->type_name("");
@@ -186,8 +192,15 @@ std::variant<CtlCommandLine, Farewell> parse_ctl_arguments(const std::vector<std
     if (!profile.empty()) {
         line.profile = path_from_utf8(profile);
     }
-    const auto chosen = std::ranges::find_if(commands, [](const Command& command) {
-        return command.app->parsed();
+    if (auto problem = tasks.finish()) {
+        return *std::move(problem);
+    }
+    if (line.task || !line.request.empty()) {
+        return line;
+    }
+    // The last one: "scripts on" comes after "scripts".
+    const auto chosen = std::find_if(commands.rbegin(), commands.rend(), [](const Command& each) {
+        return each.app->parsed();
     });
     return request_of(*chosen, std::move(line));
 }

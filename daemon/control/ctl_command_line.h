@@ -3,6 +3,7 @@
 #pragma once
 
 #include "daemon/control/command_line.h"
+#include "daemon/control/ctl_task.h"
 
 #include <filesystem>
 #include <optional>
@@ -13,9 +14,10 @@
 namespace hyrax {
 
 struct CtlCommandLine {
-    std::string request;  ///< JSON, checked.
-    bool stays = false;   ///< More answers will come.
-    bool json = false;    ///< Answers for programs.
+    std::string request;  ///< JSON, checked; empty where there is a task.
+    std::optional<CtlTask> task;
+    bool stays = false;  ///< More answers will come.
+    bool json = false;   ///< Answers for programs.
     std::optional<std::filesystem::path> profile;
 };
 

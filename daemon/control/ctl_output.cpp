@@ -97,12 +97,25 @@ std::string table_of(const json& list) {
     return aligned(rows, to_the_right);
 }
 
+bool is_text(const json& object, const char* name) {
+    return object.contains(name) && object[name].is_string();
+}
+
 bool is_table(const json& value) {
     return value.is_array() && !value.empty() &&
            std::ranges::all_of(value, [](const json& item) { return item.is_object(); });
 }
 
+// What a script answers is shown as it is.
+std::string script_text(const json& result) {
+    const auto value = result["value"].get<std::string>();
+    return result["printed"].get<std::string>() + value + (value.empty() ? "" : "\n");
+}
+
 std::string text_of(const json& result) {
+    if (is_text(result, "printed") && is_text(result, "value")) {
+        return script_text(result);
+    }
     std::string tables;
     std::vector<Row> lines;
     for (const auto& [name, value] : result.items()) {

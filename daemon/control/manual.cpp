@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace hyrax {
 namespace {
 
@@ -56,16 +58,39 @@ so slowly that 256 KiB wait for it. Four clients are served at a time.
 | `bad_value` | `config.json` would have a mistake; it stays as it is |
 | `not_saved` | `config.json` could not be written; hyraxctl tries for two seconds |
 | `problem` | what was read again has a mistake; the last good settings stay |
-| `busy` | too many clients hear of events |
+| `no_such_script` | there is no script of this name |
+| `script_error` | the script has an error, which the message is; or it has not answered within four seconds |
+| `busy` | too many clients hear of events, or wait for scripts |
 | `too_long` | the answer would be longer than a message can be |
 | `refused` | the daemon cannot do it now; the message says why |
 
 A pet's id, such as `3.1`, is never used again for another pet.
 
+## Commands that are no verbs
+
+| Command | Does |
+|---|---|
+| `hyraxctl repl [script]` | runs Lua line by line in a script, by `eval`; without a name in one of its own, which ends with it. `:quit` or the end of input ends it. Reads pipes as well, and then ends with 1 if anything failed. Only if `scripts.developer` is true. |
+| `hyraxctl plugin new ID [--into FOLDER]` | makes a folder with a plugin that works |
+| `hyraxctl plugin check FOLDER` | reads a plugin and runs it for a minute of its own time, and the cases that it makes with `hyrax.test`; tells errors as compilers do. Needs no daemon, and runs in hyraxctl's own process. |
+| `hyraxctl plugin install FROM [--replace]` | puts a copy of a folder or, on Linux, of a zip file into `plugins` of the profile. It is read and checked before it takes its place; nothing of it runs. Refused: links, what is encrypted, names that are not safe on every system, more than 200 files or 32 MiB. |
+| `hyraxctl plugin remove ID [--yes]` | removes that folder; asks before |
+| `hyraxctl completion bash`, `powershell` | prints what completes command lines |
+| `hyraxctl manual` | prints this |
+
 ## Verbs
 )text";
 
 std::string usage_of(const Verb& verb) {
+    if (!verb.usage.empty()) {
+        std::string lines;
+        for (std::string_view rest = verb.usage; !rest.empty();) {
+            const std::string_view one = rest.substr(0, rest.find(" | "));
+            lines += fmt::format("{}hyraxctl {}", lines.empty() ? "" : "\n", one);
+            rest.remove_prefix(std::min(rest.size(), one.size() + 3));
+        }
+        return lines;
+    }
     std::string usage = fmt::format("hyraxctl {}", verb.name);
     for (const Parameter& parameter : verb.parameters) {
         const std::string name = parameter.positional ? std::string(parameter.name)

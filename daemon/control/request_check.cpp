@@ -18,6 +18,7 @@ using json = nlohmann::ordered_json;
 using Checked = std::expected<void, Refusal>;
 
 constexpr std::size_t longest_text = 64;
+constexpr std::size_t longest_script_name = 256;
 
 std::unexpected<Refusal> refused(std::string message) {
     return std::unexpected(Refusal{"bad_request", std::move(message)});
@@ -36,9 +37,9 @@ bool is_number_in(const json& value, Range range) {
            value.get<double>() <= range.high;
 }
 
-bool is_text(const json& value) {
+bool is_text(const json& value, std::size_t longest) {
     const auto* const text = value.get_ptr<const json::string_t*>();
-    return text != nullptr && !text->empty() && text->size() <= longest_text &&
+    return text != nullptr && !text->empty() && text->size() <= longest &&
            std::ranges::all_of(*text, [](char c) { return static_cast<unsigned char>(c) >= 0x20; });
 }
 
@@ -51,7 +52,13 @@ bool fits(const Parameter& parameter, const json& value) {
             return is_number_in(value, parameter.range) &&
                    value.get<double>() == std::floor(value.get<double>());
         case ParameterType::text:
-            return is_text(value);
+            return is_text(value, longest_text);
+        case ParameterType::script:
+            return is_text(value, longest_script_name);
+        case ParameterType::code:
+            return text != nullptr;
+        case ParameterType::flag:
+            return value.is_boolean();
         case ParameterType::pet:
             return text != nullptr && pet_from_text(*text).has_value();
         case ParameterType::key:
@@ -121,6 +128,12 @@ std::string expectation(const Parameter& parameter) {
             return "a whole number " + bounds;
         case ParameterType::text:
             return fmt::format("a text of 1 to {} bytes", longest_text);
+        case ParameterType::script:
+            return "a script's name, as scripts shows it";
+        case ParameterType::code:
+            return "a text";
+        case ParameterType::flag:
+            return "true or false";
         case ParameterType::pet:
             return "a pet's id such as \"3.1\", as list shows it";
         case ParameterType::key:

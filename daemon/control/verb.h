@@ -28,6 +28,9 @@ enum class ParameterType : std::uint8_t {
     key,   ///< Of config.json: "physics.gravity" or "/physics/gravity".
     json,  ///< Anything. On the command line: JSON, or else a text.
     events,
+    script,  ///< A name of at most 256 bytes, no control characters.
+    code,    ///< Any text.
+    flag,    ///< Whether; on the command line it takes no value.
 };
 
 struct Range {
@@ -45,6 +48,9 @@ struct Parameter {
     bool positional = false;  ///< On the command line without its name.
 };
 
+/// The code of a refusal: the script has an error, which the message is.
+inline constexpr std::string_view script_error = "script_error";
+
 /// Why a request is not carried out.
 struct Refusal {
     std::string code;  ///< A word for programs.
@@ -53,12 +59,31 @@ struct Refusal {
 
 using Outcome = std::expected<nlohmann::ordered_json, Refusal>;
 
+/// Makes the answer for a client that has waited for scripts.
+using FinishVerb =
+    Outcome (*)(const Daemon& daemon, const std::string& script, const Evaluated& evaluated);
+
+/// Set by a verb whose client waits for scripts.
+struct Waits {
+    std::uint64_t evaluation = 0;
+    std::string script;
+    FinishVerb finish = nullptr;
+};
+
+/// A script that comes in several requests, as far as it has come.
+struct Upload {
+    std::string name;
+    std::string text;
+};
+
 /// What a verb works on.
 struct VerbContext {
     Daemon& daemon;
     const SaveFile& save;
+    Upload& upload;
     std::size_t watchers = 0;
     std::optional<EventMask> watch{};  ///< Set by a verb whose client is to stay.
+    std::optional<Waits> waits{};      ///< Then what carry_out() returns is not sent.
 };
 
 struct Verb {
@@ -68,6 +93,7 @@ struct Verb {
     std::string_view example;  ///< Arguments of hyraxctl.
     /// `arguments` has been checked by the parameters.
     Outcome (*carry_out)(VerbContext& context, const nlohmann::ordered_json& arguments);
+    std::string_view usage = {};  ///< Where the command line is not made from the parameters.
 };
 
 /// All of them, in the order of the help.
@@ -80,6 +106,7 @@ std::vector<std::string_view> verb_names();
 std::span<const Verb> pet_verbs();
 std::span<const Verb> daemon_verbs();
 std::span<const Verb> config_verbs();
+std::span<const Verb> script_verbs();
 
 /// The names of what can be watched, in the order of EventKind.
 std::span<const std::string_view> event_names();

@@ -85,14 +85,6 @@ Outcome reload(VerbContext& context, const json&) {
     return json::object();
 }
 
-Outcome scripts(VerbContext& context, const json&) {
-    json list = json::array();
-    for (const ScriptSource& script : context.daemon.scripts()) {
-        list.push_back({{"name", script.name}, {"bytes", script.text.size()}});
-    }
-    return json{{"scripts", std::move(list)}};
-}
-
 Outcome events(VerbContext& context, const json& arguments) {
     if (context.watchers >= most_watchers) {
         return std::unexpected(Refusal{
@@ -160,7 +152,6 @@ constexpr std::array table{
         "reload",
         reload
     },
-    Verb{"scripts", "Shows the scripts that are loaded.", {}, "scripts", scripts},
     Verb{
         "events",
         "Tells what happens to pets, a line each, until the client leaves. Two clients at most; "

@@ -233,6 +233,14 @@ std::optional<std::vector<JsonValue>> JsonValue::items(std::size_t low, std::siz
     return children();
 }
 
+std::string JsonValue::place() const {
+    return place_in_file(problems_->file(), json_->at);
+}
+
+std::string JsonValue::found() const {
+    return what_is_there(*json_);
+}
+
 void JsonValue::error(std::string_view text) const {
     problems_->error(json_->at, pointer_, text);
 }

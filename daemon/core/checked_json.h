@@ -34,6 +34,7 @@ public:
     /// All errors, a line each.
     Error error() const;
     std::vector<std::string> warnings() const { return warnings_.shown(); }
+    const std::string& file() const { return file_; }
 
 private:
     struct Lines {
@@ -59,6 +60,10 @@ public:
 
     const LocatedJson& located() const { return *json_; }
     const std::string& pointer() const { return pointer_; }
+    /// "config.json:12:18"
+    std::string place() const;
+    /// What is there, for messages: a scalar as the file writes it.
+    std::string found() const;
 
     std::optional<double> number(double low, double high) const;
     /// 3.0 and 3e0 are whole as well.

@@ -8,7 +8,7 @@ std::size_t ClientSession::wanted() const {
         return reader_.wanted();
     }
     // It has nothing more to say, but its leaving must be heard.
-    return step_ == Step::watching ? 1 : 0;
+    return step_ == Step::watching || step_ == Step::waiting ? 1 : 0;
 }
 
 void ClientSession::received(std::string_view bytes) {

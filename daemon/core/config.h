@@ -43,7 +43,8 @@ struct Config {
     bool quiet = false;         ///< Until the user says otherwise.
     ScriptLimits limits;
     std::vector<std::string> scripts{"*.lua"};  ///< Names in the scripts folder; * and ? match.
-    std::string log_level = "info";             ///< trace, debug, info, warn, error or off.
+    bool developer = false;          ///< Clients of the control channel may run code in scripts.
+    std::string log_level = "info";  ///< trace, debug, info, warn, error or off.
     bool operator==(const Config&) const = default;
 };
 

@@ -19,6 +19,13 @@ constexpr std::array script_keys{
         "name."
     },
     Field<Config>{
+        "/scripts/developer",
+        [](Config& c) -> Slot { return &c.developer; },
+        {},
+        "",
+        "hyraxctl may run code in scripts and scripts of its own: run, eval and repl."
+    },
+    Field<Config>{
         "/scripts/limits/load_units",
         [](Config& c) -> Slot { return &c.limits.load_units; },
         {1000, 1e9},

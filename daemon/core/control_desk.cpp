@@ -3,6 +3,10 @@
 
 #include "daemon/core/daemon.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace hyrax {
 
 void ControlDesk::answer(Daemon& daemon, Desktop& desktop, const input::Asked& asked) {
@@ -10,6 +14,10 @@ void ControlDesk::answer(Daemon& daemon, Desktop& desktop, const input::Asked& a
         return;
     }
     const ControlAnswer given = port_->answer(daemon, asked.text, watchers_.size());
+    if (given.evaluation) {
+        waiting_.push_back({asked.client, *given.evaluation, desktop.now() + patience});
+        return;
+    }
     if (given.watch) {
         watchers_.push_back({asked.client, *given.watch});
         watch(daemon.engine());
@@ -21,6 +29,46 @@ void ControlDesk::forget(Engine& engine, ClientId client) {
     if (std::erase_if(watchers_, [client](const Watcher& w) { return w.client == client; }) > 0) {
         watch(engine);
     }
+}
+
+void ControlDesk::tell_evaluated(
+    Daemon& daemon, Desktop& desktop, const std::vector<Evaluated>& evaluated
+) {
+    for (const Evaluated& each : evaluated) {
+        const auto found = std::ranges::find(waiting_, each.id, &Waiting::evaluation);
+        if (found != waiting_.end()) {
+            const ClientId client = found->client;
+            waiting_.erase(found);
+            desktop.answer(client, port_->evaluated(daemon, each), Answer::last);
+        }
+    }
+}
+
+void ControlDesk::tell_late(Daemon& daemon, Desktop& desktop, Ticks now) {
+    if (waiting_.empty()) {
+        return;
+    }
+    std::vector<Evaluated> late;
+    for (const Waiting& waiting : waiting_) {
+        if (now >= waiting.until) {
+            late.push_back({
+                .id = waiting.evaluation,
+                .good = false,
+                .text = fmt::format(
+                    "no answer within {} s; the script goes on", patience / ticks_per_second
+                ),
+            });
+        }
+    }
+    tell_evaluated(daemon, desktop, late);
+}
+
+Ticks ControlDesk::due() const {
+    Ticks earliest = never;
+    for (const Waiting& waiting : waiting_) {
+        earliest = std::min(earliest, waiting.until);
+    }
+    return earliest;
 }
 
 void ControlDesk::tell_watchers(Engine& engine, Desktop& desktop, double seconds) {

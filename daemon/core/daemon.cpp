@@ -71,12 +71,13 @@ void Daemon::draw(Ticks now) {
     }
     heed_presence(now);
     scripts_.watch(now);
+    control_.tell_late(*this, desktop_, now);
     const Decisions& so = presence_.decisions();
     if (so.unseen) {
         report();
         choose_conduct(false, false);
         stores_.write_due(now);
-        next_frame_ = std::min(scripts_.watch_due(), stores_.next_write());
+        next_frame_ = std::min({scripts_.watch_due(), stores_.next_write(), control_.due()});
         return;
     }
     const Ticks world = clock_.at(now);
@@ -88,6 +89,7 @@ void Daemon::draw(Ticks now) {
         scripts_.run(engine_, monitors_, world, script_eyes());
         changed_ = engine_.has_events();
         grant_wishes(now);
+        control_.tell_evaluated(*this, desktop_, scripts_.take_evaluated());
     }
     mind_windows();
     stores_.write_due(now);
@@ -121,7 +123,8 @@ void Daemon::draw(Ticks now) {
         clock_.machine_time(std::min(next.next_change, scripts_.next_wake())), stores_.next_write()
     );
     const bool every_frame = swinging || (engine_.moving() && !clock_.paused());
-    const Ticks due = std::min({wake, presence_.due(), scripts_.watch_due(), show_at_});
+    const Ticks due =
+        std::min({wake, presence_.due(), scripts_.watch_due(), show_at_, control_.due()});
     next_frame_ = every_frame ? pacer_.next() : std::max(due, pacer_.next());
     // To lie down some time later is no animation.
     const bool animated = !clock_.paused() && next.next_change - world < 2 * ticks_per_second;

@@ -15,6 +15,7 @@
 #include "daemon/core/remembered.h"
 #include "daemon/core/script_bridge.h"
 #include "daemon/core/script_stores.h"
+#include "daemon/core/session_scripts.h"
 #include "daemon/core/speech.h"
 #include "daemon/core/stage.h"
 #include "daemon/core/trace.h"
@@ -51,6 +52,15 @@ struct Figures {
     double frame_ns = 0.0;     ///< Mean time that drawing one took; 0 without a control channel.
 };
 
+/// A script that the daemon knows of.
+struct ScriptStatus {
+    std::string name;
+    std::size_t bytes = 0;  ///< Of its text; 0 while it is off.
+    bool on = false;
+    bool ended = false;   ///< By its limits, or because its text has an error.
+    std::string error{};  ///< The latest one.
+};
+
 class Daemon {
 public:
     /// Reads the profile. What cannot be read is told in the log and the status, and replaced by
@@ -70,7 +80,23 @@ public:
     Engine& engine() { return engine_; }
     const Config& config() const { return config_; }
     const Profile& profile() const { return profile_; }
-    const std::vector<ScriptSource>& scripts() const { return sources_; }
+
+    // For people who write scripts: daemon_scripts.cpp
+    std::vector<ScriptStatus> script_states() const;
+    /// The whole name: a developer's scripts can be named without what stands in front of it.
+    [[nodiscard]] Result<std::string> find_script(std::string_view name) const;
+    /// Adds a script that lasts until the daemon ends, or starts it anew; its whole name.
+    [[nodiscard]] Result<std::string> run_script(std::string_view name, std::string text);
+    /// False if nobody has run one of this name.
+    bool stop_script(std::string_view name);
+    void restart_script(const std::string& script);
+    /// The number under which ControlPort::evaluated() hears of it; fails while many wait.
+    [[nodiscard]] Result<std::uint64_t> evaluate(const std::string& script, std::string text);
+    /// The latest error of each script.
+    const std::map<std::string, std::string>& script_errors() const { return scripts_.errors(); }
+    /// Empty while scripts may run.
+    std::string why_scripts_rest() const;
+
     Status status() const;
     Figures figures() const;
     const Frame& frame() const { return frame_; }
@@ -175,6 +201,7 @@ private:
     std::map<std::string, Ticks, std::less<>> next_notices_;  ///< By script: not before then.
     std::vector<Rect> window_frames_;                         ///< As scripts see them.
     Ticks read_windows_again_ = 0;
+    SessionScripts session_scripts_;
     std::optional<Trace> trace_;
     std::vector<Request> first_requests_;
 

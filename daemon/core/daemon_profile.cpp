@@ -89,6 +89,7 @@ void Daemon::read_scripts() {
     for (const ScriptSource& source : loaded.sources) {
         script_names_.push_back(source.name);
     }
+    session_scripts_.adjust(loaded.sources, config_.developer);
     std::erase_if(loaded.sources, [this](const ScriptSource& source) {
         return remembered_.scripts_off.contains(source.name);
     });

@@ -189,7 +189,7 @@ Result<void> prepare(const Profile& profile) {
     }
     // The schemas describe this program's keys, whatever an older one has left here.
     // Not fs::copy_file: in mingw-w64's library it never overwrites.
-    for (const char* schema : {"schema.json", "sprite.schema.json"}) {
+    for (const char* schema : {"schema.json", "sprite.schema.json", "plugin.schema.json"}) {
         if (const auto text =
                 read_text_file(profile.shipped / "config" / schema, max_script_bytes)) {
             if (auto written = write_file_atomically(profile.user / schema, *text); !written) {

@@ -40,8 +40,8 @@ void RemoteScriptHost::load(std::vector<ScriptSource> sources) {
     const auto is_past = [&](const ScriptSource& text) {
         const auto wanted = named(text.name);
         const auto good = good_.find(text.name);
-        return wanted != sources_.end() && wanted->text != text.text &&
-               (good == good_.end() || good->second.text != text.text);
+        return wanted != sources_.end() && !same_text(*wanted, text) &&
+               (good == good_.end() || !same_text(good->second, text));
     };
     std::erase_if(good_, [&](const auto& entry) { return named(entry.first) == sources_.end(); });
     std::erase_if(out_, [&](const ScriptSource& text) {
@@ -70,7 +70,11 @@ void RemoteScriptHost::stop() {
 ScriptOutput RemoteScriptHost::run(const ScriptWorld& world, std::span<const ScriptEvent> events) {
     ScriptOutput output;
     outgoing_.clear();
+    for (const Evaluation& wanted : world.evaluations) {
+        evaluating_.push_back(wanted.id);
+    }
     if (world.ending ? !running_ : (fresh_ || !running_) && !start(output)) {
+        give_up_evaluations(output, "scripts do not run");
         return output;
     }
     wire::encode_run(outgoing_, ++number_, world, events);
@@ -97,7 +101,7 @@ std::vector<ScriptSource> RemoteScriptHost::to_run() const {
 
 const ScriptSource* RemoteScriptHost::stand_in(const ScriptSource& script) const {
     const auto found = good_.find(script.name);
-    const bool helps = found != good_.end() && found->second.text != script.text &&
+    const bool helps = found != good_.end() && !same_text(found->second, script) &&
                        kills_.find(found->second) == kills_.end() && !out_.contains(found->second);
     return helps ? &found->second : nullptr;
 }
@@ -203,6 +207,9 @@ void RemoteScriptHost::accept(const wire::Answer& answer) {
     failures_ = 0;
     output_ = answer.output;
     keep_up(answer.output);
+    for (const Evaluated& each : answer.output.evaluated) {
+        std::erase(evaluating_, each.id);
+    }
     const bool others_end = put_out(answer.output.ended);
     if (fresh_) {
         output_->next_wake = 0;  // Others have been loaded meanwhile.
@@ -232,6 +239,22 @@ bool RemoteScriptHost::put_out(const std::vector<std::uint32_t>& places) {
     }
     untried_ = false;
     return news;
+}
+
+void RemoteScriptHost::give_up_evaluations(ScriptOutput& output, const std::string& reason) {
+    for (const std::uint64_t id : std::exchange(evaluating_, {})) {
+        output.evaluated.push_back({.id = id, .good = false, .text = reason});
+    }
+}
+
+std::vector<std::string> RemoteScriptHost::ended() const {
+    std::vector<std::string> names;
+    for (const ScriptSource& source : sources_) {
+        if (!may_run(source) && stand_in(source) == nullptr) {
+            names.push_back(source.name);
+        }
+    }
+    return names;
 }
 
 // A process that starts again is sent what scripts have kept since they were loaded.
@@ -286,6 +309,7 @@ void RemoteScriptHost::end_process(std::string_view reason, bool blame) {
         retry_at_ = now_ + delay_after(failures_ - 1);
         output_->log.push_back(about_host(LogLevel::warning, fmt::format("it {}", reason)));
     }
+    give_up_evaluations(*output_, output_->log.back().text);
     if (!sent_.empty()) {
         output_->log.push_back(about_host(LogLevel::warning, "all other scripts start again"));
     }

@@ -42,6 +42,7 @@ public:
     bool wait(std::chrono::milliseconds patience) override {
         return waiting_ && channel_->wait(patience);
     }
+    std::vector<std::string> ended() const override;
 
     /// True while there is a process.
     bool running() const { return running_; }
@@ -50,9 +51,12 @@ private:
     // What a script keeps and is set to makes it no other one.
     struct ByText {
         bool operator()(const ScriptSource& a, const ScriptSource& b) const {
-            return std::tie(a.name, a.text) < std::tie(b.name, b.text);
+            return std::tie(a.name, a.text, a.turn) < std::tie(b.name, b.text, b.turn);
         }
     };
+    static bool same_text(const ScriptSource& a, const ScriptSource& b) {
+        return a.text == b.text && a.turn == b.turn;
+    }
 
     void stop();
     void keep_up(const ScriptOutput& output);
@@ -62,6 +66,7 @@ private:
     void accept(const wire::Answer& answer);
     void look_after(const ScriptChannel::End& end);
     void end_process(std::string_view reason, bool blame);
+    void give_up_evaluations(ScriptOutput& output, const std::string& reason);
     bool put_out(const std::vector<std::uint32_t>& places);
     bool may_run(const ScriptSource& script) const;
     const ScriptSource* stand_in(const ScriptSource& script) const;
@@ -80,7 +85,8 @@ private:
     bool untried_ = false;  // It has not answered since it was sent them.
     bool waiting_ = false;  // For an answer.
     std::uint64_t number_ = 0;
-    ScriptOutput last_;  // Its listening and next_wake alone.
+    ScriptOutput last_;                      // Its listening and next_wake alone.
+    std::vector<std::uint64_t> evaluating_;  // That the process has been asked for.
     std::optional<ScriptOutput> output_;
     Watchdog watchdog_;
     Ticks now_ = 0;

@@ -50,8 +50,11 @@ struct MovingVerb {
 struct Looks {
     std::string_view permission;
     bool operator()(const ScriptSource& source) const {
-        return source.text.contains(permission) &&
-               std::ranges::find(source.permissions, permission) != source.permissions.end();
+        const auto names_it = [this](const ScriptModule& module) {
+            return module.text.contains(permission);
+        };
+        return std::ranges::find(source.permissions, permission) != source.permissions.end() &&
+               (source.text.contains(permission) || std::ranges::any_of(source.modules, names_it));
     }
 };
 
@@ -79,9 +82,9 @@ void ScriptBridge::load(std::vector<ScriptSource> sources) {
     unloading_ = sources.empty();
     watch_cursor_ = std::ranges::any_of(sources, Looks{"cursor"});
     watch_windows_ = std::ranges::any_of(sources, Looks{"windows"});
-    std::map<std::string, std::string> texts;
+    std::map<std::string, Text> texts;
     for (const ScriptSource& source : sources) {
-        texts.emplace(source.name, source.text);
+        texts.emplace(source.name, Text{source.text, source.turn});
     }
     std::erase_if(errors_, [&](const auto& error) {
         const auto now = texts.find(error.first);
@@ -181,6 +184,18 @@ void ScriptBridge::tell(PressedHotkey hotkey) {
     }
 }
 
+std::uint64_t ScriptBridge::evaluate(std::string script, std::string text) {
+    watch_cursor_ = watch_cursor_ || text.contains("cursor");
+    watch_windows_ = watch_windows_ || text.contains("windows");
+    evaluations_.push_back({++last_evaluation_, std::move(script), std::move(text)});
+    next_wake_ = 0;
+    return last_evaluation_;
+}
+
+std::vector<std::string> ScriptBridge::ended() const {
+    return host_ ? host_->ended() : std::vector<std::string>{};
+}
+
 void ScriptBridge::use(Engine& engine, ScriptOutput output) {
     for (const ScriptLog& line : output.log) {
         write_log(line);
@@ -193,7 +208,11 @@ void ScriptBridge::use(Engine& engine, ScriptOutput output) {
     }
     engine.listen(output.listening);
     next_wake_ = output.next_wake;
+    if (!evaluations_.empty()) {
+        next_wake_ = 0;  // They came while scripts were at work.
+    }
     std::ranges::move(output.commands, std::back_inserter(commands_));
+    std::ranges::move(output.evaluated, std::back_inserter(evaluated_));
 }
 
 // Those that were asked for and not looked at yet; the others are for who takes the loss.
@@ -245,6 +264,7 @@ ScriptWorld ScriptBridge::snapshot(
         .cursor = {},
         .windows = {},
         .pressed_hotkeys = std::exchange(pressed_hotkeys_, {}),
+        .evaluations = std::exchange(evaluations_, {}),
     };
     for (Kind& kind : world.kinds) {
         kind.box = engine.usual_box(kind);

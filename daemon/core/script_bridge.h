@@ -87,6 +87,14 @@ public:
     /// True once after nothing was left of the scripts' state: what they have asked of the desktop
     /// before the next take_wishes() is void.
     bool take_loss() { return std::exchange(lost_, false); }
+    /// Has a script carry out a text in the next run, which is due at once. The number comes back
+    /// in take_evaluated(), unless no script runs any more.
+    std::uint64_t evaluate(std::string script, std::string text);
+    /// Those that scripts have not been told of yet.
+    std::size_t waiting_evaluations() const { return evaluations_.size(); }
+    std::vector<Evaluated> take_evaluated() { return std::exchange(evaluated_, {}); }
+    /// Those of the loaded that do not run: ended by their limits, or never loaded well.
+    std::vector<std::string> ended() const;
     /// Commands of scripts that are not for the engine (Store, Notify, Hotkey), since the last
     /// call.
     std::vector<ScriptCommand> take_wishes() { return std::exchange(wishes_, {}); }
@@ -116,7 +124,12 @@ private:
     Ticks next_wake_ = never;
     std::set<std::string_view> refused_;  // Verbs that have been told of.
     std::map<std::string, std::string> errors_;
-    std::map<std::string, std::string> texts_;  // By name, as loaded.
+    struct Text {
+        std::string text;
+        std::uint64_t turn = 0;
+        bool operator==(const Text&) const = default;
+    };
+    std::map<std::string, Text> texts_;  // By name, as loaded.
     std::deque<ScriptEvent> events_;
     std::size_t dropped_events_ = 0;
     std::deque<ScriptCommand> commands_;
@@ -125,6 +138,9 @@ private:
     bool lost_ = false;
     std::vector<PressedHotkey> pressed_hotkeys_;
     std::vector<ScriptCommand> wishes_;
+    std::vector<Evaluation> evaluations_;
+    std::vector<Evaluated> evaluated_;
+    std::uint64_t last_evaluation_ = 0;
     // Pets that scripts spawned, both ways; all others have keys made from their ids.
     std::unordered_map<PetKey, PetId> made_;
     std::unordered_map<PetKey, PetKey> made_key_of_;

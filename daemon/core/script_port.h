@@ -50,6 +50,21 @@ struct PressedHotkey {
     std::uint64_t id = 0;
 };
 
+/// A text to run in a script, for somebody who writes it.
+struct Evaluation {
+    std::uint64_t id = 0;
+    std::string script;
+    std::string text;  ///< An expression or statements; empty: only whether the script runs.
+};
+
+/// What came of an evaluation.
+struct Evaluated {
+    std::uint64_t id = 0;
+    bool good = false;
+    std::string text{};     ///< The values, as people read them, or the error.
+    std::string printed{};  ///< What it wrote into the log until it first waited, line by line.
+};
+
 /// The world at one moment. A pet that is not listed is gone.
 struct ScriptWorld {
     Ticks now = 0;
@@ -61,6 +76,7 @@ struct ScriptWorld {
     std::vector<Rect> windows{
     };  ///< Of other programs, the topmost first, where a script may know.
     std::vector<PressedHotkey> pressed_hotkeys{};
+    std::vector<Evaluation> evaluations{};
     /// The daemon ends: scripts hear it in `unload`, and nothing afterwards.
     bool ending = false;
 };
@@ -191,11 +207,24 @@ struct ScriptOutput {
     /// Nothing is left of the scripts' state: what they have asked of the desktop is void. Never
     /// said by scripts.
     bool lost = false;
+    std::vector<Evaluated> evaluated{};
 };
 
+/// The version of what scripts can call. A plugin that asks for the same major and no later minor
+/// runs.
+inline constexpr int script_api_major = 1;
+inline constexpr int script_api_minor = 0;
+
 /// What a script may be allowed beyond its own pets.
-inline constexpr std::array<std::string_view, 5> script_permissions{
-    "cursor", "hotkeys", "notify", "pets.others", "windows"
+inline constexpr std::array<std::string_view, 6> script_permissions{
+    "cursor", "hotkeys", "notify", "pets.others", "wind", "windows"
+};
+
+/// Text that a script's `require` finds.
+struct ScriptModule {
+    std::string name;  ///< "lib.score"
+    std::string text;
+    bool operator==(const ScriptModule&) const = default;
 };
 
 /// A script's text under the name that messages use, and what comes with it.
@@ -207,6 +236,7 @@ struct ScriptSource {
     ScriptTable config{};                    ///< The user's settings of it.
     ScriptTable store{};                     ///< What it has kept so far.
     bool testing = false;                    ///< It gets hyrax.test, and its cases run.
+    std::uint64_t turn = 0;                  ///< With another one the same text starts again.
     bool operator==(const ScriptSource&) const = default;
 };
 
@@ -230,6 +260,9 @@ public:
     /// Runs what is due: main chunks, handlers of the events, timers up to `world.now`. A host that
     /// works elsewhere only sends the order, is then busy(), and has its output later.
     virtual ScriptOutput run(const ScriptWorld& world, std::span<const ScriptEvent> events) = 0;
+
+    /// Those of the loaded that do not run: ended by their limits, or never loaded well.
+    virtual std::vector<std::string> ended() const { return {}; }
 
     // --- for hosts that work elsewhere; no call waits ---
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/core/script_stores.h"
 
+#include "daemon/core/file_name.h"
 #include "daemon/core/files.h"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <array>
 #include <system_error>
 #include <utility>
 
@@ -17,19 +17,6 @@ namespace {
 // A store of 256 KiB, escaped and indented at its worst.
 constexpr std::size_t most_bytes = std::size_t{4} << 20U;
 
-// Windows opens a device for these names, whatever follows the first dot.
-bool is_device(std::string_view stem) {
-    std::string name;
-    for (const char letter : stem) {
-        name += letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-    }
-    constexpr std::array<std::string_view, 4> devices{"con", "prn", "aux", "nul"};
-    const bool numbered = name.size() == 4 &&
-                          (name.starts_with("com") || name.starts_with("lpt")) && name[3] >= '0' &&
-                          name[3] <= '9';
-    return numbered || std::ranges::find(devices, name) != devices.end();
-}
-
 bool is_plain(char letter) {
     return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
            (letter >= '0' && letter <= '9') || letter == '.' || letter == '_' || letter == '-';
@@ -38,7 +25,7 @@ bool is_plain(char letter) {
 }  // namespace
 
 std::string store_file_name(std::string_view script) {
-    const bool device = is_device(script.substr(0, script.find('.')));
+    const bool device = names_device(script);
     std::string name;
     for (const char letter : script) {
         const bool first = name.empty();

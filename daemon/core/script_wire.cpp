@@ -24,6 +24,10 @@ bool is_control(char letter) {
     return byte < 0x20U || byte == 0x7FU;
 }
 
+bool breaks_lines(char letter) {
+    return is_control(letter) && letter != '\n';
+}
+
 /// Appends one message; its length is filled in at the end.
 class Writer {
 public:
@@ -74,6 +78,11 @@ public:
         text(value, longest);
         const auto end = reinterpret_cast<char*>(bytes_.data() + bytes_.size());
         std::replace_if(end - std::min(value.size(), longest), end, is_control, '?');
+    }
+    void lines(std::string_view value, std::size_t longest) {
+        text(value, longest);
+        const auto end = reinterpret_cast<char*>(bytes_.data() + bytes_.size());
+        std::replace_if(end - std::min(value.size(), longest), end, breaks_lines, '?');
     }
     template <typename T>
     void optional(const std::optional<T>& value) {
@@ -201,6 +210,10 @@ public:
     void line(std::string& value, std::size_t longest) {
         text(value, longest);
         demand(std::ranges::none_of(value, is_control), "a control character is in a line");
+    }
+    void lines(std::string& value, std::size_t longest) {
+        text(value, longest);
+        demand(std::ranges::none_of(value, breaks_lines), "a control character is in a line");
     }
     template <typename T>
     void optional(std::optional<T>& value) {

@@ -104,6 +104,19 @@ void fields(auto& wire, Is<PressedHotkey> auto& pressed) {
     wire.whole(pressed.id);
 }
 
+void fields(auto& wire, Is<Evaluation> auto& evaluation) {
+    wire.whole(evaluation.id);
+    wire.text(evaluation.script, longest_name);
+    wire.text(evaluation.text, longest_evaluation);
+}
+
+void fields(auto& wire, Is<Evaluated> auto& evaluated) {
+    wire.whole(evaluated.id);
+    wire.flag(evaluated.good);
+    wire.lines(evaluated.text, longest_evaluated);
+    wire.lines(evaluated.printed, longest_evaluated);
+}
+
 void fields(auto& wire, Is<ScriptWorld> auto& world) {
     wire.whole(world.now);
     wire.list(world.pets, most_pets);
@@ -112,6 +125,7 @@ void fields(auto& wire, Is<ScriptWorld> auto& world) {
     wire.finite(world.cursor);
     wire.list(world.windows, most_windows);
     wire.list(world.pressed_hotkeys, most_told);
+    wire.list(world.evaluations, most_told);
     wire.flag(world.ending);
 }
 
@@ -250,6 +264,7 @@ void fields(auto& wire, Is<ScriptOutput> auto& output) {
     wire.list(output.ended, most_scripts);
     wire.list(output.tests, most_tests);
     wire.whole(output.open_tests);
+    wire.list(output.evaluated, most_told);
 }
 
 /// Without what only the other process can know.
@@ -293,6 +308,7 @@ void fields(auto& wire, Is<ScriptSource> auto& source) {
     fields(wire, source.config);
     fields(wire, source.store);
     wire.flag(source.testing);
+    wire.whole(source.turn);
 }
 
 void fields(auto& wire, Is<Run> auto& run) {

@@ -3,13 +3,16 @@
 #include "daemon/control/connection.h"
 #include "daemon/headless/control_path.h"
 #include "daemon/headless/file_descriptor.h"
+#include "daemon/headless/png_file.h"
 #include "daemon/headless/socket_calls.h"
 #include "daemon/headless/system_error.h"
 
 #include <poll.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <iostream>
 #include <utility>
 
 namespace hyrax {
@@ -68,6 +71,17 @@ public:
     PosixSystem(int argc, char** argv) : arguments_(argv + std::min(argc, 1), argv + argc) {}
 
     std::vector<std::string> arguments() override { return arguments_; }
+
+    fs::path shipped() override { return program_folder(); }
+
+    ImageDecoder decoder() override { return decode_png; }
+
+    bool is_interactive() override { return ::isatty(STDIN_FILENO) != 0; }
+
+    std::optional<std::string> read_line() override {
+        std::string line;
+        return std::getline(std::cin, line) ? std::optional(line) : std::nullopt;
+    }
 
     Result<fs::path> usual_profile() override { return program_folder() / "config"; }
 

@@ -3,6 +3,7 @@
 #include "daemon/script/api.h"
 #include "physics/geometry.h"
 
+#include <fmt/format.h>
 #include <sol/sol.hpp>
 
 #include <vector>
@@ -54,7 +55,7 @@ void push_rect(lua_State* lua, const Rect& rect) {
 
 void open_world_api(lua_State* lua) {
     sol::stack_table hyrax(lua, -1);
-    hyrax["api"] = "1.0";
+    hyrax["api"] = fmt::format("{}.{}", script_api_major, script_api_minor);
     // sol::c_call: the function is part of the type, so that nothing has to be stored in Lua and
     // destroyed by a finalizer.
     hyrax["arena"] = sol::c_call<decltype(&arena), &arena>;

@@ -35,7 +35,7 @@ struct Loaded {
 private:
     bool runs_alike(const ScriptSource& other) const {
         return source.version == other.version && source.permissions == other.permissions &&
-               source.testing == other.testing;
+               source.testing == other.testing && source.turn == other.turn;
     }
 };
 
@@ -68,6 +68,9 @@ public:
         if (std::exchange(loading_, false)) {
             replace_scripts(run);
         }
+        for (const Evaluation& wanted : world.evaluations) {
+            evaluate(wanted, output);
+        }
         for (const PressedHotkey& pressed : world.pressed_hotkeys) {
             for_each([&pressed](Script& script) {
                 if (script.name() == pressed.script) {
@@ -99,6 +102,16 @@ public:
         return output;
     }
 
+    std::vector<std::string> ended() const override {
+        std::vector<std::string> names;
+        for (const Loaded& each : scripts_) {
+            if (each.script->ended()) {
+                names.push_back(each.source.name);
+            }
+        }
+        return names;
+    }
+
 private:
     // What runs until this goes is the work of the script at this place.
     class Turn {
@@ -126,6 +139,20 @@ private:
             const Turn turn(limits_.pulse, place);
             call(*scripts_[place].script);
         }
+    }
+
+    void evaluate(const Evaluation& wanted, ScriptOutput& output) {
+        const auto found = std::ranges::find_if(scripts_, [&wanted](const Loaded& each) {
+            return each.source.name == wanted.script && each.script->active();
+        });
+        if (found == scripts_.end()) {
+            output.evaluated.push_back(
+                {.id = wanted.id, .good = false, .text = wanted.script + " does not run"}
+            );
+            return;
+        }
+        const Turn turn(limits_.pulse, static_cast<std::size_t>(found - scripts_.begin()));
+        found->script->evaluate(wanted);
     }
 
     // Pets may have been spawned by a host before this one.

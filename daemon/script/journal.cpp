@@ -99,13 +99,18 @@ void Journal::ended(const std::string& reason, const CallTrace& trace) {
     tell_frames(trace);
 }
 
-// Most messages of Lua begin with the place; the others get it.
+// Most messages of Lua begin with the place; the others get it. Texts that load() or a developer
+// brought have names of their own.
 std::string Journal::located(std::string_view message, const CallTrace& trace) const {
     std::string text = clean_text(message, longest_message);
-    if (text.starts_with(script_ + ":")) {
+    const std::string prefix = script_ + ":";
+    if (text.starts_with(prefix)) {
         return text;
     }
-    return (trace.where.empty() ? script_ : trace.where) + ": " + text;
+    if (!trace.where.empty() && !text.starts_with(trace.where + ":")) {
+        text = trace.where + ": " + text;
+    }
+    return text.starts_with(prefix) ? text : prefix + " " + text;
 }
 
 void Journal::tell_frames(const CallTrace& trace) {

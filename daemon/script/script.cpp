@@ -55,6 +55,11 @@ std::string message_of(lua_State* lua, int index) {
 
 }  // namespace
 
+std::string error_text(lua_State* thread, int status) {
+    // Lua catches every C++ exception, and calls those that are not its own -1.
+    return status < 0 ? "internal error of the script host" : message_of(thread, -1);
+}
+
 Script::Script(const ScriptSource& source, const ScriptLimits& given)
     : limits(given),
       meter(limits),
@@ -145,6 +150,7 @@ void Script::start(lua_State* lua, int arguments) {
     lua_State* const thread = lua_newthread(lua);
     const int anchor = keep(lua);
     tests.runs_in(thread);
+    evaluations_.runs_in(thread);
     if (lua_checkstack(thread, arguments + 1) == 0) {
         luaL_error(lua, "too many arguments");
     }
@@ -173,8 +179,12 @@ void Script::resume(HostThread thread, lua_State* from, int arguments) {
             meter.condemn(thread.lua);
             return;
         }
-        report(thread.lua, status);
+        if (!end_evaluation(thread.lua, status)) {
+            report(thread.lua, status);
+        }
         lua_closethread(thread.lua, from);
+    } else {
+        end_evaluation(thread.lua, status);
     }
     if (tests.is_running(thread.lua)) {
         end_test();
@@ -183,9 +193,7 @@ void Script::resume(HostThread thread, lua_State* from, int arguments) {
 }
 
 void Script::report(lua_State* thread, int status) {
-    // Lua catches every C++ exception, and calls those that are not its own -1.
-    const std::string message =
-        status < 0 ? "internal error of the script host" : message_of(thread, -1);
+    const std::string message = error_text(thread, status);
     failed_ = true;
     if (tests.enabled() && !tests.fail(message)) {
         run_->output.tests.push_back({name(), outside_of_cases, message, 0.0});

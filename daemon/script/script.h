@@ -4,6 +4,7 @@
 #pragma once
 
 #include "daemon/script/belongings.h"
+#include "daemon/script/evaluations.h"
 #include "daemon/script/journal.h"
 #include "daemon/script/meter.h"
 #include "daemon/script/schedule.h"
@@ -29,6 +30,9 @@ struct Run {
     std::uint64_t& last_made_key;
 };
 
+/// What stands on top of the stack of a coroutine that ended with this status, an error.
+std::string error_text(lua_State* thread, int status);
+
 class Script {
 public:
     /// The text of the source is not kept.
@@ -50,6 +54,7 @@ public:
     void deliver(const ScriptEvent& event);
     void change_setting(const std::string& key, const ScriptValue& value);
     void press_hotkey(std::uint64_t id);
+    void evaluate(const Evaluation& wanted);
     /// Timers, waits and ticks up to the run's time.
     void run_due();
     void end();
@@ -130,6 +135,8 @@ private:
     void run_tests();
     void end_test();
     void give_up_tests(const char* problem);
+    bool end_evaluation(lua_State* thread, int status);
+    void give_up_evaluations(const std::string& problem);
     void resume(HostThread thread, lua_State* from, int arguments);
     void report(lua_State* thread, int status);
     void end_waits_for_gone_pets();
@@ -143,6 +150,7 @@ private:
     bool paused_ = false;
     bool failed_ = false;  ///< A call since the main chunk began has raised an error.
     bool unloading_ = false;
+    Evaluations evaluations_;
     std::vector<InnerWait> waiting_inside_;
     std::size_t commands_ = 0;
     Ticks loaded_at_ = 0;

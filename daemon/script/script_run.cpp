@@ -248,7 +248,9 @@ void Script::end() {
         if (tests.enabled()) {
             run_->output.tests.push_back({name(), "its end", meter.verdict().reason, 0.0});
         }
+        const std::size_t line = run_->output.log.size();
         journal.ended(meter.verdict().reason, meter.verdict().trace);
+        give_up_evaluations(run_->output.log[line].text);
         close();
     } else {
         forget_gone_pets();
@@ -266,6 +268,7 @@ void Script::unload(const char* reason) {
         return 1;
     });
     end();
+    give_up_evaluations(name() + ": was unloaded");
     drop_hotkeys();
     close();
 }

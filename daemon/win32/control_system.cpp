@@ -3,11 +3,15 @@
 #include "daemon/control/connection.h"
 #include "daemon/core/files.h"
 #include "daemon/win32/handle.h"
+#include "daemon/win32/image_decoder.h"
 #include "daemon/win32/pipe_name.h"
 #include "daemon/win32/process.h"
 #include "daemon/win32/single_instance.h"
 #include "daemon/win32/text.h"
 
+#include <array>
+#include <iostream>
+#include <optional>
 #include <utility>
 
 namespace hyrax::win32 {
@@ -96,6 +100,48 @@ public:
 
     std::vector<std::string> arguments() override { return command_line_arguments(); }
 
+    fs::path shipped() override {
+        const Result<Folders> folders = find_folders();
+        return folders ? folders->program : fs::path();
+    }
+
+    ImageDecoder decoder() override {
+        if (!gdiplus_) {
+            gdiplus_.emplace();
+        }
+        return make_gdiplus_decoder();
+    }
+
+    bool is_interactive() override {
+        DWORD mode = 0;
+        return ::GetConsoleMode(::GetStdHandle(STD_INPUT_HANDLE), &mode) != 0;
+    }
+
+    // The C library would read a console in the code page of the system.
+    std::optional<std::string> read_line() override {
+        std::string line;
+        if (!is_interactive()) {
+            return std::getline(std::cin, line) ? std::optional(line) : std::nullopt;
+        }
+        std::wstring wide;
+        while (!wide.ends_with(L'\n')) {
+            std::array<wchar_t, 512> part{};
+            DWORD read = 0;
+            const BOOL good = ::ReadConsoleW(
+                ::GetStdHandle(STD_INPUT_HANDLE), part.data(), DWORD{part.size()}, &read, nullptr
+            );
+            constexpr wchar_t ctrl_z = 0x1A;
+            if (good == 0 || read == 0 || (wide.empty() && part.front() == ctrl_z)) {
+                return std::nullopt;
+            }
+            wide.append(part.data(), read);
+        }
+        while (wide.ends_with(L'\n') || wide.ends_with(L'\r')) {
+            wide.pop_back();
+        }
+        return utf8(wide);
+    }
+
     Result<fs::path> usual_profile() override {
         const Result<Folders> folders = find_folders();
         return folders ? Result<fs::path>(folders->profile) : std::unexpected(folders.error());
@@ -126,6 +172,9 @@ public:
         }
         return std::make_unique<PipeConnection>(std::move(pipe));
     }
+
+private:
+    std::optional<GdiplusSession> gdiplus_;  // Nobody else needs it.
 };
 
 }  // namespace

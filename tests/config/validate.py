@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Checks the shipped config and sprite sets against their JSON schemas, and that the schemas refuse
+"""Checks the shipped config, sprite sets and plugins against their JSON schemas, and that the schemas refuse
 what is wrong. Needs Debian's python3-jsonschema. Run: python3 tests/config/validate.py
 """
 
@@ -158,6 +158,41 @@ class Sprites(unittest.TestCase):
         for pointer, value in broken.items():
             with self.subTest(pointer):
                 self.assertFalse(self.schema.is_valid(changed(sprite, pointer, value)))
+
+
+class Plugins(unittest.TestCase):
+    MANIFEST = {
+        "manifest": 1, "id": "rock-concert", "version": "1.2.0", "api": "1.0", "name": "Rock Concert",
+        "entry": "main.lua", "permissions": ["hotkeys"], "kinds": {"rocker": "rocker/sprite.json"},
+        "config": [{"key": "jumps", "type": "integer", "default": 5, "min": 1, "max": 20}],
+        "on_reload": "keep",
+    }
+
+    def setUp(self):
+        self.schema = validator("plugin.schema.json")
+
+    def test_a_manifest_is_valid(self):
+        self.schema.validate(self.MANIFEST)
+
+    def test_broken_manifests_are_refused(self):
+        broken = {
+            "/manifest": 2,
+            "/id": "nul",
+            "/version": "1.2",
+            "/api": "2.0",
+            "/name": "",
+            "/entry": "../main.lua",
+            "/permissions/0": "network",
+            "/kinds/Rocker": "rocker/sprite.json",
+            "/kinds/rocker": "rocker/sheet.png",
+            "/config/0/key": "enabled",
+            "/config/0/type": "int",
+            "/config/0/default": [],
+            "/on_reload": True,
+        }
+        for pointer, value in broken.items():
+            with self.subTest(pointer):
+                self.assertFalse(self.schema.is_valid(changed(self.MANIFEST, pointer, value)))
 
 
 if __name__ == "__main__":

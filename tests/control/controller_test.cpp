@@ -3,7 +3,7 @@
 
 #include "daemon/core/files.h"
 #include "daemon/core/framing.h"
-#include "tests/headless/recorded_daemon.h"
+#include "tests/control/asked_daemon.h"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
@@ -13,48 +13,6 @@
 
 using namespace hyrax;
 using nlohmann::json;
-
-namespace {
-
-constexpr std::string_view one_pet = R"({
-    "pets": {"start": [{"x": 900, "y": 400}]},
-    // kept
-    "physics": {"gravity": 1200}
-})";
-
-/// A daemon whose clients ask at moments of the virtual clock; the answers come in order.
-class AskedDaemon {
-public:
-    explicit AskedDaemon(double seconds, std::string_view config = one_pet) : recorded(seconds) {
-        recorded.config(config);
-        recorded.control = make_controller(write_file_atomically);
-    }
-    void at(double seconds, std::string request) {
-        recorded.at(seconds, input::Asked{next_client_++, std::move(request)});
-    }
-    void run() { recorded.run(); }
-    json answer(std::size_t number) const {
-        return json::parse(recorded.desktop.answers().at(number).text);
-    }
-    json result(std::size_t number) const {
-        const json given = answer(number);
-        REQUIRE_MESSAGE(given["ok"] == true, given.dump());
-        return given["result"];
-    }
-    std::string refusal(std::size_t number) const {
-        const json given = answer(number);
-        REQUIRE_MESSAGE(given["ok"] == false, given.dump());
-        return given["error"]["code"].get<std::string>() + ": " +
-               given["error"]["message"].get<std::string>();
-    }
-
-    RecordedDaemon recorded;
-
-private:
-    ClientId next_client_ = 1;
-};
-
-}  // namespace
 
 TEST_CASE("pets are spawned, chosen, listed, thrown and removed") {
     AskedDaemon daemon(5.0);
@@ -194,7 +152,10 @@ TEST_CASE("reload tells what is wrong, scripts are shown") {
         [&daemon] { daemon.recorded.config("{"); },
     });
     daemon.run();
-    CHECK(daemon.result(0)["scripts"] == json{{{"name", "a.lua"}, {"bytes", 11}}});
+    CHECK(
+        daemon.result(0)["scripts"] ==
+        json{{{"name", "a.lua"}, {"state", "on"}, {"bytes", 11}, {"error", ""}}}
+    );
     CHECK(daemon.result(1) == json::object());
     CHECK(daemon.refusal(2).starts_with("problem: "));
     CHECK(daemon.refusal(2).contains("config.json:1:2: "));

@@ -4,6 +4,7 @@
 #include "daemon/control/request_check.h"
 #include "daemon/control/verb.h"
 #include "daemon/core/files.h"
+#include "daemon/core/framing.h"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
@@ -23,6 +24,17 @@ std::vector<std::string> words_of(std::string_view line) {
         words.push_back(word);
     }
     return words;
+}
+
+CtlTask task_of(std::string_view line) {
+    const auto parsed = parse_ctl_arguments(words_of(line));
+    if (const auto* farewell = std::get_if<Farewell>(&parsed)) {
+        FAIL(farewell->text);
+    }
+    const auto& read = std::get<CtlCommandLine>(parsed);
+    CHECK(read.request.empty());
+    REQUIRE(read.task.has_value());
+    return *read.task;
 }
 
 json request_of(std::string_view line) {
@@ -71,10 +83,65 @@ TEST_CASE("command lines become requests") {
 
 TEST_CASE("each verb's example is a command line that fits it") {
     for (const Verb& verb : verbs()) {
+        if (!verb.usage.empty()) {
+            continue;
+        }
         const json request = request_of(verb.example);
         CHECK(request["do"] == verb.name);
         CHECK(check_request(request.dump()).has_value());
     }
+}
+
+TEST_CASE("command lines of people who write scripts") {
+    CHECK(
+        request_of("eval a.lua count+1") ==
+        json{{"do", "eval"}, {"script", "a.lua"}, {"code", "count+1"}}
+    );
+    CHECK(request_of("eval a.lua -- -5")["code"] == "-5");
+    CHECK(request_of("scripts") == json{{"do", "scripts"}});
+    CHECK(request_of("scripts off a.lua") == json{{"do", "scripts off"}, {"script", "a.lua"}});
+    CHECK(request_of("run --stop a.lua") == json{{"do", "run"}, {"name", "a.lua"}, {"stop", true}});
+    CHECK(std::get<task::RunFile>(task_of("run folder/a.lua")).file == "folder/a.lua");
+    CHECK(std::get<task::Repl>(task_of("repl")).script.empty());
+    CHECK(std::get<task::Repl>(task_of("repl a.lua --profile x")).script == "a.lua");
+    CHECK(complaint("run").contains("a file is needed"));
+    CHECK(complaint("run a.lua --stop a.lua").contains("--stop"));
+    CHECK(complaint("eval a.lua").contains("code"));
+    CHECK(complaint("scripts of a.lua").contains("of"));
+    CHECK(complaint("eval a.lua " + std::string(70'000, 'x')).contains("65536 is the most"));
+}
+
+TEST_CASE("a script comes to the daemon in parts that are whole messages") {
+    std::string text = "-- ä\n";
+    for (int i = 0; i < 5'000; ++i) {
+        text += "äöü\x01\"";
+    }
+    const auto requests = run_requests("a.lua", text);
+    REQUIRE(requests.has_value());
+    CHECK(requests->size() > 3);
+    std::string joined;
+    for (const std::string& request : *requests) {
+        CHECK(request.size() <= max_message);
+        CHECK(check_request(request).has_value());
+        const json part = json::parse(request);
+        CHECK(part["at"] == joined.size());
+        joined += part["text"].get<std::string>();
+        CHECK(part["more"] == (joined.size() < text.size()));
+    }
+    CHECK(joined == text);
+    CHECK(run_requests("a.lua", "")->size() == 1);
+    CHECK_FALSE(run_requests("a.lua", "\xFF").has_value());
+    CHECK_FALSE(run_requests("a.lua", std::string(20'000, '\xA4')).has_value());
+}
+
+TEST_CASE("what a script answers is shown as it is") {
+    const ShownAnswer shown = shown_answer(
+        R"({"ok": true, "result": {"script": "a.lua", "printed": "x 1\n", "value": "\"b\", 2"}})"
+    );
+    CHECK(shown.text == "x 1\n\"b\", 2\n");
+    CHECK(shown_answer(R"({"ok": true, "result": {"printed": "", "value": ""}})").text.empty());
+    CHECK(is_unfinished("eval:2: 'end' expected (to close 'do' at line 1) near <eof>"));
+    CHECK_FALSE(is_unfinished("eval:1: near <eof> there is nothing"));
 }
 
 TEST_CASE("wrong command lines are explained") {

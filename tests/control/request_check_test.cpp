@@ -34,6 +34,12 @@ json example_of(const Parameter& parameter) {
             return json{1, nullptr, {{"a", true}}};
         case ParameterType::events:
             return {"land", "bounce"};
+        case ParameterType::script:
+            return "fountain.lua";
+        case ParameterType::code:
+            return "\tprint('hello')\n";
+        case ParameterType::flag:
+            return true;
     }
     return {};
 }
@@ -71,10 +77,11 @@ TEST_CASE("every verb takes all its arguments, and refuses wrong ones by name") 
             const std::string name(parameter.name);
             json wrong = request;
             if (parameter.type != ParameterType::json) {
-                wrong[name] = true;
+                wrong[name] = parameter.type == ParameterType::flag ? json(1) : json(true);
                 CHECK(
-                    refusal(wrong.dump()) ==
-                    "bad_request: " + name + ": must be " + expectation(parameter) + ", got true"
+                    refusal(wrong.dump()) == "bad_request: " + name + ": must be " +
+                                                 expectation(parameter) + ", got " +
+                                                 wrong[name].dump()
                 );
             }
             if (parameter.type == ParameterType::number ||

@@ -74,6 +74,7 @@ public:
         source.config = table();
         source.store = table();
         source.testing = flip();
+        source.turn = random_();
         return source;
     }
 
@@ -163,6 +164,7 @@ public:
             world.kinds.push_back({.name = text(), .box = {3, 4}, .animations = {text(), text()}});
             world.windows.push_back({-1, 2, 3, static_cast<int>(below(99))});
             world.pressed_hotkeys.push_back({text(), random_()});
+            world.evaluations.push_back({random_(), text(), text(500)});
         }
         world.cursor = flip() ? std::optional(vec()) : std::nullopt;
         world.ending = flip();
@@ -187,6 +189,7 @@ public:
             output.log.push_back({static_cast<LogLevel>(below(3)), line(), line()});
             output.ended.push_back(static_cast<std::uint32_t>(below(1'000)));
             output.tests.push_back({line(), line(), flip() ? line() : "", number()});
+            output.evaluated.push_back({random_(), flip(), line() + "\n" + line(), line()});
         }
         if (flip()) {
             output.listening.add(EventKind::land);

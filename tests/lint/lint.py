@@ -28,10 +28,11 @@ ROOMS = {
     "physics/": {"std", "intrinsics", "physics"},
     "daemon/core/": {"std", "intrinsics", "physics", "core", "log"},
     "daemon/script/": {"std", "physics", "script", "core", "log", "lua"},
+    "daemon/check/": {"std", "check", "core", "script", "log"},
     "daemon/control/": {"std", "control", "core", "log", "json", "cli"},
     "daemon/win32/": {"std", "physics", "win32", "core", "control", "log", "windows"},
-    "daemon/headless/": {"std", "physics", "headless", "core", "control", "log", "posix", "png", "freetype", "seccomp"},
-    "daemon/main_": {"std", "physics", "core", "script", "control", "win32", "headless", "log", "cli", "windows", "posix"},
+    "daemon/headless/": {"std", "physics", "headless", "core", "control", "log", "posix", "png", "freetype", "minizip", "seccomp"},
+    "daemon/main_": {"std", "physics", "core", "script", "control", "check", "win32", "headless", "log", "cli", "windows", "posix"},
     "tests/": None,  # anything
 }
 # Only these files of daemon/core may see nlohmann, and only they may include each other's headers.
@@ -49,6 +50,7 @@ THIRD_PARTIES = [
     (re.compile(r"^png\w*\.h$"), "png"),
     (re.compile(r"^freetype/.*"), "freetype"),
     (re.compile(r"^seccomp\.h$"), "seccomp"),
+    (re.compile(r"^minizip/"), "minizip"),
     (re.compile(r"^\w+intrin\.h$"), "intrinsics"),
     (re.compile(r"^((sys|arpa|netinet|linux)/.*|(unistd|fcntl|poll|signal|pthread|dirent|spawn|dlfcn|time)\.h)$"), "posix"),
     (re.compile(r"^[a-z0-9_]+$"), "std"),
@@ -105,7 +107,7 @@ def lines_of(root, name):
 def kind_of(target, quoted):
     """The kind of an included file, or None where it cannot be told."""
     if quoted:
-        match = re.match(r"^(physics|tests)/|^daemon/(core|script|control|win32|headless)/", target)
+        match = re.match(r"^(physics|tests)/|^daemon/(check|core|script|control|win32|headless)/", target)
         return (match.group(1) or match.group(2)) if match else None
     return next((kind for pattern, kind in THIRD_PARTIES if pattern.match(target)), None)
 
