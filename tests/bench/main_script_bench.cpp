@@ -72,7 +72,7 @@ void measure_frames(const char* program) {
         bridge.run(engine, {}, now);
         costs.push_back(now_us() - begin);
         const double sent = now_us();
-        process.wait(100);
+        process.wait(std::chrono::milliseconds(100));
         latencies.push_back(now_us() - sent);
     }
     report("daemon: a frame, 100 pets, 10 events, 100 commands", std::move(costs));
