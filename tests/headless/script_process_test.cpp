@@ -153,6 +153,30 @@ int forked(const std::function<int()>& body) {
 
 }  // namespace
 
+TEST_CASE("what a developer asks is answered by the process, or by its end") {
+    Scene scene({{"a.lua", "count = 3"}, {"b.lua", ""}});
+    const auto answer = [&scene](const char* script, const std::string& text) {
+        scene.bridge.evaluate(script, text);
+        std::vector<Evaluated> answers;
+        REQUIRE(scene.until([&] {
+            for (Evaluated& each : scene.bridge.take_evaluated()) {
+                answers.push_back(std::move(each));
+            }
+            return !answers.empty();
+        }));
+        return answers.front();
+    };
+    CHECK(answer("a.lua", "count, 'x'").text == "3, \"x\"");
+    CHECK(answer("a.lua", "nope.x").text.starts_with("eval:1: "));
+    CHECK(answer("a.lua", "print 'hello'").printed == "hello\n");
+    const Evaluated hung = answer("b.lua", bomb);
+    CHECK_FALSE(hung.good);
+    CHECK(hung.text.starts_with("b.lua: "));
+    CHECK(scene.bridge.ended() == std::vector<std::string>{"b.lua"});
+    CHECK(answer("b.lua", "1").text == "b.lua does not run");
+    CHECK(answer("a.lua", "count").text == "3");
+}
+
 TEST_CASE("scripts in a process of their own move pets; no script, no process") {
     {
         Scene scene(Sources{{"a.lua", "hyrax.spawn{tag='mine'} hyrax.on('land', print)"}});
