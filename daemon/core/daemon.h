@@ -9,6 +9,7 @@
 #include "daemon/core/engine.h"
 #include "daemon/core/hand.h"
 #include "daemon/core/pacer.h"
+#include "daemon/core/plugins.h"
 #include "daemon/core/presence.h"
 #include "daemon/core/profile.h"
 #include "daemon/core/remembered.h"
@@ -21,6 +22,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,6 +68,9 @@ public:
     const Config& config() const { return config_; }
     const Profile& profile() const { return profile_; }
     const std::vector<ScriptSource>& scripts() const { return sources_; }
+    const std::vector<PluginEntry>& plugins() const { return plugins_; }
+    /// The latest error of each script and plugin, by its name.
+    const std::map<std::string, std::string>& script_errors() const { return scripts_.errors(); }
     Status status() const;
     Figures figures() const;
     const Frame& frame() const { return frame_; }
@@ -130,6 +135,14 @@ private:
     void read_scripts();
     void use_monitors();
 
+    // daemon_plugins.cpp
+    std::vector<ScriptSource> read_plugins();
+    void tell_of_plugins(std::vector<std::string> problems);
+    const PluginEntry* plugin(const std::string& id) const;
+    void carry_out(const request::SetPlugin& wish);
+    void carry_out(const request::AllowPlugin& wish);
+    void turn_off_given_up();
+
     // daemon_ledges.cpp
     void mind_windows();
     void read_windows();
@@ -166,6 +179,9 @@ private:
     std::vector<Monitor> monitors_;  ///< As far as pets may be on them.
     std::vector<ScriptSource> sources_;
     std::vector<std::string> script_names_;  ///< Those that are off as well.
+    std::vector<PluginEntry> plugins_;
+    std::string plugin_kinds_;  ///< stamp_of_kinds()
+    std::string plugins_ask_;
     Remembered remembered_;
     Remembered saved_;  ///< As state.json has it.
     bool paused_ = false;
@@ -189,6 +205,7 @@ private:
     std::string config_problem_;
     std::vector<std::string> kind_problems_;
     std::vector<std::string> script_problems_;
+    std::vector<std::string> plugin_problems_;
     std::string place_problem_;
     Status shown_status_;
 };

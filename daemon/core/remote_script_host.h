@@ -46,7 +46,7 @@ private:
     // What a script keeps and is set to makes it no other one.
     struct ByText {
         bool operator()(const ScriptSource& a, const ScriptSource& b) const {
-            return std::tie(a.name, a.text) < std::tie(b.name, b.text);
+            return std::tie(a.name, a.text, a.modules) < std::tie(b.name, b.text, b.modules);
         }
     };
 

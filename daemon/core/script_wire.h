@@ -23,7 +23,7 @@ namespace hyrax::wire {
 
 using Bytes = std::vector<std::byte>;
 
-inline constexpr std::uint8_t version = 2;
+inline constexpr std::uint8_t version = 3;
 /// Length, version and type.
 inline constexpr std::size_t header_bytes = 6;
 /// Of what follows the length. A message of more is broken.
@@ -44,6 +44,7 @@ inline constexpr std::size_t most_animations = 1'000;
 inline constexpr std::size_t most_windows = 1'000;
 inline constexpr std::size_t most_told = 1'000;  ///< Pressed hotkeys.
 inline constexpr std::size_t most_permissions = 64;
+inline constexpr std::size_t most_modules = 200;
 inline constexpr std::size_t most_tests = 10'000;
 inline constexpr std::size_t longest_text = std::size_t{1} << 20U;  ///< In a value [bytes].
 inline constexpr std::size_t most_values = 500'000;  ///< In a message, those within values too.

@@ -102,7 +102,7 @@ void Journal::ended(const std::string& reason, const CallTrace& trace) {
 // Most messages of Lua begin with the place; the others get it.
 std::string Journal::located(std::string_view message, const CallTrace& trace) const {
     std::string text = clean_text(message, longest_message);
-    if (text.starts_with(script_ + ":")) {
+    if (ScriptLog{LogLevel::error, script_, text}.has_place()) {
         return text;
     }
     return (trace.where.empty() ? script_ : trace.where) + ": " + text;
