@@ -98,7 +98,9 @@ std::unique_ptr<hyrax::ScriptHost> testing_host(
 ) {
     return std::make_unique<hyrax::TestingHost>(
         std::move(host),
-        hyrax::utf8_from_path(script.filename()),
+        hyrax::utf8_from_path(
+            fs::is_directory(script) ? fs::canonical(script).filename() : script.filename()
+        ),
         tests,
         [&desktop] { desktop.add({desktop.now(), hyrax::Request{hyrax::request::Quit{}}}); }
     );

@@ -42,6 +42,7 @@ struct Motion {
     const Law& law;
     const ForceField& forces;
     Mode mode;
+    bool leans = false;
 
     Vector slope(const Vector& y) const {
         if (mode == Mode::ground) {
@@ -52,7 +53,8 @@ struct Motion {
         const double drag = forces.quadratic_drag == 0.0
                                 ? law.drag
                                 : law.drag + forces.quadratic_drag * std::hypot(vx, vy);
-        return {y[2], y[3], -drag * vx, law.gravity - drag * vy};
+        const double pull = law.gravity - drag * vy;
+        return leans ? Vector{0.0, y[3], 0.0, pull} : Vector{y[2], y[3], -drag * vx, pull};
     }
 };
 
@@ -256,6 +258,18 @@ double next_length(double length, double error) {
     return length * std::clamp(factor, 0.2, 5.0);
 }
 
+// Whether wind holds a flying body against a wall, where it would bounce without end.
+bool leans(
+    const BodyState& state, const Law& law, const ForceField& forces, const FreeSpace& space
+) {
+    if (state.mode != Mode::air || forces.wind.x == 0.0 ||
+        std::fabs(state.velocity.x) > law.rest_speed) {
+        return false;
+    }
+    const Support walls = space.corridor(state.position);
+    return state.position.x == (forces.wind.x > 0.0 ? walls.right : walls.left);
+}
+
 BodyState at_rest(BodyState state) {
     state.velocity = {};
     state.mode = Mode::rest;
@@ -278,7 +292,10 @@ BodyState step_runge_kutta(
         if (trials == settings.most_trials) {
             return at_rest(state);
         }
-        const Motion motion{law, forces, state.mode};
+        const Motion motion{law, forces, state.mode, leans(state, law, forces, space)};
+        if (motion.leans) {
+            state.velocity.x = 0.0;
+        }
         const double length = std::min(step, dt);
         const Step trial(
             motion, {state.position.x, state.position.y, state.velocity.x, state.velocity.y}, length

@@ -7,7 +7,8 @@
 -- Beside `hyrax` and `print`, scripts have Lua's own assert collectgarbage("count") error
 -- getmetatable ipairs load next pairs pcall rawequal rawget rawlen rawset require select setmetatable
 -- tonumber tostring type xpcall coroutine math string table utf8, os.clock os.difftime os.time and
--- debug.traceback. Tables are never weak, and there are no finalizers.
+-- debug.traceback. `require` finds "hyrax", and in a plugin its own Lua files: "lib.score" is
+-- lib/score.lua. Tables are never weak, and there are no finalizers.
 
 ---@alias hyrax.EventName
 ---| "ready"    # fun()                                all scripts are loaded
@@ -83,7 +84,7 @@ local Subscription = {}
 function Subscription:cancel() end
 
 ---@class hyrax.SpawnOptions
----@field kind? string      default "hyrax"
+---@field kind? string      default "hyrax"; a plugin's own kind by its name, others' as "<plugin>/<kind>"
 ---@field x? number         default: somewhere on a screen
 ---@field y? number         default: the top of that screen
 ---@field vx? number        default 0
@@ -209,6 +210,12 @@ function hyrax.hotkey(keys, label, fn) end
 ---"notify".
 ---@param text string       at most 200 bytes, plain text
 function hyrax.notify(text) end
+
+---Air that moves [px/s], until another call: drag, and nothing else, pulls who flies along. The
+---winds of several scripts add up; a script's ends with it. Needs the permission "wind".
+---@param vx? number        nil, or two zeros, ends it
+---@param vy? number        default 0
+function hyrax.wind(vx, vy) end
 
 ---@class hyrax.Store    256 KiB; written to the disk in the background
 local Store = {}

@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 9> events{
 std::vector<Verb> joined() {
     std::vector<Verb> all;
     for (const std::span<const Verb> part :
-         {pet_verbs(), daemon_verbs(), config_verbs(), script_verbs()}) {
+         {pet_verbs(), daemon_verbs(), config_verbs(), script_verbs(), plugin_verbs()}) {
         all.insert(all.end(), part.begin(), part.end());
     }
     return all;

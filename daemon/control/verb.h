@@ -107,6 +107,7 @@ std::span<const Verb> pet_verbs();
 std::span<const Verb> daemon_verbs();
 std::span<const Verb> config_verbs();
 std::span<const Verb> script_verbs();
+std::span<const Verb> plugin_verbs();
 
 /// The names of what can be watched, in the order of EventKind.
 std::span<const std::string_view> event_names();

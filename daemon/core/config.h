@@ -7,11 +7,13 @@
 #include "daemon/core/engine.h"
 #include "daemon/core/frame.h"
 #include "daemon/core/ledges.h"
+#include "daemon/core/plugin_choice.h"
 #include "daemon/core/presence.h"
 #include "daemon/core/result.h"
 #include "daemon/core/script_limits.h"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,9 +44,10 @@ struct Config {
     AllowedSettings allowed{};  ///< Where pets may be.
     bool quiet = false;         ///< Until the user says otherwise.
     ScriptLimits limits;
-    std::vector<std::string> scripts{"*.lua"};  ///< Names in the scripts folder; * and ? match.
-    bool developer = false;          ///< Clients of the control channel may run code in scripts.
-    std::string log_level = "info";  ///< trace, debug, info, warn, error or off.
+    std::vector<std::string> scripts{"*.lua"};      ///< Names in the scripts folder; * and ? match.
+    bool developer = false;                         ///< Clients of the control channel may run code in scripts.
+    std::map<std::string, PluginChoice> plugins{};  ///< By id.
+    std::string log_level = "info";                 ///< trace, debug, info, warn, error or off.
     bool operator==(const Config&) const = default;
 };
 

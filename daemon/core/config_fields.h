@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -95,7 +96,8 @@ using Slot = std::variant<
     std::vector<MonitorName>*,
     std::optional<Rect>*,
     std::vector<StartPets>*,
-    std::vector<FullScreenRule>*>;
+    std::vector<FullScreenRule>*,
+    std::map<std::string, PluginChoice>*>;
 
 struct FieldRange {
     double low = 0.0;

@@ -124,6 +124,13 @@ constexpr std::array script_keys{
         "Lines that a script may write at once after a silence."
     },
     Field<Config>{
+        "/plugins",
+        [](Config& c) -> Slot { return &c.plugins; },
+        {},
+        "",
+        "For each plugin, by its id: enabled, and the settings that its plugin.json declares."
+    },
+    Field<Config>{
         "/log/level",
         [](Config& c) -> Slot { return &c.log_level; },
         {},

@@ -4,6 +4,7 @@
 #include "daemon/core/config.h"
 #include "daemon/core/config_fields.h"
 #include "daemon/core/files.h"
+#include "daemon/core/script_value_json.h"
 
 #include <algorithm>
 #include <array>
@@ -47,6 +48,32 @@ std::optional<FullScreenRule> read_full_screen_rule(const JsonValue& value) {
         return std::nullopt;
     }
     return rule;
+}
+
+// What the settings must be, their plugin knows.
+void read_plugins(const JsonValue& value, std::map<std::string, PluginChoice>& plugins) {
+    if (!value.is_object()) {
+        return;
+    }
+    for (const JsonValue& each : value.children()) {
+        if (!each.is_object()) {
+            continue;
+        }
+        PluginChoice& choice = plugins[each.located().key];
+        for (const JsonValue& member : each.children()) {
+            const LocatedJson& located = member.located();
+            if (located.key == "enabled") {
+                choice.enabled = member.flag();
+                continue;
+            }
+            choice.settings.push_back(
+                {.key = located.key,
+                 .value = script_value_from(located.value),
+                 .place = member.place(),
+                 .found = member.found()}
+            );
+        }
+    }
 }
 
 std::optional<MonitorName> read_monitor_name(const JsonValue& value) {
@@ -123,6 +150,7 @@ struct SlotReader {
     void operator()(std::optional<Rect>* slot) const { *slot = read_area(value); }
     void operator()(std::vector<StartPets>* slot) const { fill(*slot, read_start_item); }
     void operator()(std::vector<FullScreenRule>* slot) const { fill(*slot, read_full_screen_rule); }
+    void operator()(std::map<std::string, PluginChoice>* slot) const { read_plugins(value, *slot); }
 
 private:
     std::optional<int> whole() const {
@@ -203,6 +231,9 @@ struct SlotType {
     std::string_view operator()(const std::optional<Rect>*) const { return "array"; }
     std::string_view operator()(const std::vector<StartPets>*) const { return "array"; }
     std::string_view operator()(const std::vector<FullScreenRule>*) const { return "array"; }
+    std::string_view operator()(const std::map<std::string, PluginChoice>*) const {
+        return "object";
+    }
 };
 
 struct SlotDefault {
@@ -243,6 +274,20 @@ struct SlotDefault {
             list.push_back(std::move(item));
         }
         return list.dump();
+    }
+    // Their settings have defaults in their manifests.
+    std::string operator()(const std::map<std::string, PluginChoice>* slot) const {
+        json object = json::object();
+        for (const auto& [id, choice] : *slot) {
+            object[id] = json::object();
+            if (choice.enabled) {
+                object[id]["enabled"] = *choice.enabled;
+            }
+            for (const GivenSetting& given : choice.settings) {
+                object[id][given.key] = json_from(given.value);
+            }
+        }
+        return object.dump();
     }
     std::string operator()(const auto* slot) const { return json(*slot).dump(); }
 };

@@ -90,6 +90,7 @@ void Daemon::draw(Ticks now) {
         changed_ = engine_.has_events();
         grant_wishes(now);
         control_.tell_evaluated(*this, desktop_, scripts_.take_evaluated());
+        turn_off_given_up();
     }
     mind_windows();
     stores_.write_due(now);
@@ -178,7 +179,8 @@ std::string Daemon::problem() const {
     if (!config_problem_.empty()) {
         return config_problem_;
     }
-    for (const std::vector<std::string>* list : {&kind_problems_, &script_problems_}) {
+    for (const std::vector<std::string>* list :
+         {&kind_problems_, &script_problems_, &plugin_problems_}) {
         if (!list->empty()) {
             return list->front();
         }
@@ -200,7 +202,7 @@ Status Daemon::status() const {
         .hidden = remembered_.hidden,
         .quiet = quiet(),
         .problem = problem(),
-        .note = presence_.decisions().note,
+        .note = presence_.decisions().note.empty() ? plugins_ask_ : presence_.decisions().note,
     };
 }
 

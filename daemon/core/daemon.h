@@ -10,6 +10,7 @@
 #include "daemon/core/hand.h"
 #include "daemon/core/hotkey_desk.h"
 #include "daemon/core/pacer.h"
+#include "daemon/core/plugins.h"
 #include "daemon/core/presence.h"
 #include "daemon/core/profile.h"
 #include "daemon/core/remembered.h"
@@ -96,7 +97,7 @@ public:
     const std::map<std::string, std::string>& script_errors() const { return scripts_.errors(); }
     /// Empty while scripts may run.
     std::string why_scripts_rest() const;
-
+    const std::vector<PluginEntry>& plugins() const { return plugins_; }
     Status status() const;
     Figures figures() const;
     const Frame& frame() const { return frame_; }
@@ -162,6 +163,14 @@ private:
     void read_scripts();
     void use_monitors();
 
+    // daemon_plugins.cpp
+    std::vector<ScriptSource> read_plugins();
+    void tell_of_plugins(std::vector<std::string> problems);
+    const PluginEntry* plugin(const std::string& id) const;
+    void carry_out(const request::SetPlugin& wish);
+    void carry_out(const request::AllowPlugin& wish);
+    void turn_off_given_up();
+
     // daemon_ledges.cpp
     void mind_windows();
     void read_windows();
@@ -210,6 +219,9 @@ private:
     std::vector<Monitor> monitors_;  ///< As far as pets may be on them.
     std::vector<ScriptSource> sources_;
     std::vector<std::string> script_names_;  ///< Those that are off as well.
+    std::vector<PluginEntry> plugins_;
+    std::string plugin_kinds_;  ///< stamp_of_kinds()
+    std::string plugins_ask_;
     Remembered remembered_;
     Remembered saved_;  ///< As state.json has it.
     bool paused_ = false;
@@ -233,6 +245,7 @@ private:
     std::string config_problem_;
     std::vector<std::string> kind_problems_;
     std::vector<std::string> script_problems_;
+    std::vector<std::string> plugin_problems_;
     std::string place_problem_;
     Status shown_status_;
 };

@@ -27,7 +27,9 @@ MenuState Daemon::menu_state() {
         state.hidden_until = clock_text(wall, *remembered_.hidden_until);
     }
     for (const Kind& kind : engine_.kinds()) {
-        state.kinds.push_back(kind.name);
+        if (!kind.name.contains('/')) {  // Those of plugins are for plugins.
+            state.kinds.push_back(kind.name);
+        }
     }
     for (const std::string& name : script_names_) {
         const auto error = scripts_.errors().find(name);
@@ -35,6 +37,17 @@ MenuState Daemon::menu_state() {
             .name = name,
             .on = !remembered_.scripts_off.contains(name),
             .error = error != scripts_.errors().end() ? error->second : "",
+        });
+    }
+    for (const PluginEntry& entry : plugins_) {
+        const auto error = scripts_.errors().find(entry.id);
+        const std::string late = error != scripts_.errors().end() ? error->second : "";
+        state.plugins.push_back({
+            .id = entry.id,
+            .name = entry.plugin ? entry.plugin->name : entry.id,
+            .on = entry.state == PluginState::on || entry.state == PluginState::asks,
+            .asks = entry.state == PluginState::asks ? entry.missing : std::vector<std::string>{},
+            .error = entry.problem.empty() ? late : entry.problem,
         });
     }
     for (std::size_t i = 0; i < all_monitors_.size(); ++i) {

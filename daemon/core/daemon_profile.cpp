@@ -7,6 +7,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace hyrax {
@@ -65,6 +67,7 @@ void Daemon::read_config() {
 
 void Daemon::read_kinds() {
     LoadedKinds loaded = load_kinds(profile_, decode_);
+    add_plugin_kinds(loaded, plugins_, sets_, decode_);
     for (const std::string& problem : loaded.problems) {
         spdlog::error("{}", problem);
     }
@@ -93,6 +96,7 @@ void Daemon::read_scripts() {
     std::erase_if(loaded.sources, [this](const ScriptSource& source) {
         return remembered_.scripts_off.contains(source.name);
     });
+    std::ranges::move(read_plugins(), std::back_inserter(loaded.sources));
     if (loaded.sources != sources_) {
         sources_ = std::move(loaded.sources);
         hotkeys_.keep(desktop_, sources_);

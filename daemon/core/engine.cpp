@@ -33,20 +33,22 @@ bool is_possible(const EngineSettings& settings) {
            settings.scale <= most_scale;
 }
 
-MotionRules rules_of(const EngineSettings& settings) {
+MotionRules rules_of(const EngineSettings& settings, Vec2 wind) {
+    ForceField forces = settings.forces;
+    forces.wind = forces.wind + wind;
     return {
-        .integrator = settings.forces == ForceField{} ? settings.integrator : Integrator::rk45,
+        .integrator = forces == ForceField{} ? settings.integrator : Integrator::rk45,
         .constants = settings.physics,
         .law = law_from(settings.physics, settings.reference_rate),
         .fixed_step = 1.0 / settings.fixed_rate,
-        .forces = settings.forces,
+        .forces = forces,
     };
 }
 
 }  // namespace
 
 Engine::Engine(std::vector<Kind> kinds, const EngineSettings& settings, std::uint32_t seed)
-    : kinds_(std::move(kinds)), settings_(settings), rules_(rules_of(settings)), random_(seed) {
+    : kinds_(std::move(kinds)), settings_(settings), rules_(rules_of(settings, {})), random_(seed) {
     HYRAX_CHECK(!kinds_.empty());
     HYRAX_CHECK(is_possible(settings));
 }
@@ -192,13 +194,35 @@ Result<void> Engine::configure(const EngineSettings& settings) {
                        "restitution, air_drag and ground_friction from 0 to 1");
     }
     settings_ = settings;
-    rules_ = rules_of(settings);
+    rules_ = rules_of(settings, wind_);
     mind_screens();
     // A law that changed may move whoever rests; who still rests goes back to sleep.
     pets_.for_each([this](PetId id, Pet& pet) {
         refit(id, pet);
         if (pet.motion != Motion::held) {
             set_in_motion(id, pet, pet.velocity());
+        }
+    });
+    return {};
+}
+
+Result<void> Engine::set_wind(Vec2 wind) {
+    if (auto checked = require_finite(wind, "wind"); !checked || wind == wind_) {
+        return checked;
+    }
+    wind_ = wind;
+    rules_ = rules_of(settings_, wind_);
+    pets_.for_each([this](PetId id, Pet& pet) {
+        if (!pet.awake || pet.motion == Motion::held) {
+            return;  // No wind moves who lies on the ground.
+        }
+        const bool flies = pet.started && !pet.walk;
+        relaunch(pet, pet.velocity());
+        refresh_frozen(id, pet);
+        if (flies && !pet.frozen()) {
+            // From the moment that is shown, so that no frame stands still.
+            pet.body.start(now_ - pet.lost);
+            pet.started = true;
         }
     });
     return {};

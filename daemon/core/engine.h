@@ -179,6 +179,10 @@ public:
     /// constants that no law can have.
     [[nodiscard]] Result<void> configure(const EngineSettings& settings);
     const EngineSettings& settings() const { return settings_; }
+    /// Beside that of the settings [px/s]; nothing ends it. Drag, which there must be, acts on the
+    /// velocity relative to it, in the air only. Who flies flies on from where he is.
+    [[nodiscard]] Result<void> set_wind(Vec2 wind);
+    Vec2 wind() const { return wind_; }
     /// The one that moves the pets: the settings', or rk45 where forces ask for it.
     Integrator integrator() const { return rules_.integrator; }
 
@@ -274,6 +278,7 @@ private:
 
     std::vector<Kind> kinds_;
     EngineSettings settings_;
+    Vec2 wind_{};
     MotionRules rules_;
     Arena arena_;
     std::vector<LedgeSegment> ledges_;  // The topmost window's first.

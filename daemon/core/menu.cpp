@@ -125,6 +125,25 @@ MenuItems scripts_menu(const MenuState& state) {
     return menu;
 }
 
+MenuItems plugins_menu(const MenuState& state) {
+    MenuItems menu;
+    for (const PluginMenuState& plugin : state.plugins) {
+        menu.push_back(
+            ticked(plugin.name, plugin.on, Request{request::SetPlugin{plugin.id, !plugin.on}})
+        );
+        if (!plugin.asks.empty()) {
+            menu.push_back(item(
+                fmt::format("    Allow {}: {}", plugin.name, fmt::join(plugin.asks, ", ")),
+                Request{request::AllowPlugin{plugin.id, true}}
+            ));
+        }
+        if (!plugin.error.empty()) {
+            menu.push_back(heading("    " + plugin.error));
+        }
+    }
+    return with_mnemonics(std::move(menu));
+}
+
 MenuItems monitors_menu(const MenuState& state) {
     const auto allowed = std::ranges::count(state.monitors, true, &MonitorState::allowed);
     MenuItems menu;
@@ -185,6 +204,9 @@ MenuItems tray_menu(const MenuState& state) {
     menu.push_back(ticked("Qui&et", state.quiet, Request{request::SetQuiet{!state.quiet}}));
     menu.push_back(line());
     menu.push_back(submenu("S&cripts", scripts_menu(state)));
+    if (!state.plugins.empty()) {
+        menu.push_back(submenu("P&lugins", plugins_menu(state)));
+    }
     menu.push_back(submenu("Mo&nitors", monitors_menu(state)));
     menu.push_back(submenu("&Open", open_menu()));
     menu.push_back(line());

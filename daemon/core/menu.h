@@ -64,6 +64,14 @@ struct ScriptState {
     std::string error{};  ///< The latest since it was loaded; empty: none.
 };
 
+struct PluginMenuState {
+    std::string id;
+    std::string name;
+    bool on = false;
+    std::vector<std::string> asks{};  ///< Permissions that it waits for.
+    std::string error{};              ///< Empty: none.
+};
+
 struct MonitorState {
     std::string id;    ///< identity()
     std::string text;  ///< For people.
@@ -80,6 +88,7 @@ struct MenuState {
     std::int64_t seconds_until_tomorrow = 0;  ///< To six in the morning.
     bool quiet = false;
     std::vector<ScriptState> scripts{};
+    std::vector<PluginMenuState> plugins{};
     std::vector<MonitorState> monitors{};
     std::optional<bool> autostart{};  ///< None: this desktop knows no such thing.
     std::string problem{};            ///< Empty: none.

@@ -66,9 +66,10 @@ struct Plugin {
 
     std::string text{};                   ///< Of the entry.
     std::vector<ScriptModule> modules{};  ///< The other Lua files, sorted by name.
+    std::vector<std::string> warnings{};  ///< Of whoever read it: read_plugin() leaves it empty.
 };
 
-/// Small letters, digits and inner hyphens, 3 to 40 of them, and no name of a device.
+/// 3 to 40 small letters, digits and inner hyphens; no device, and not "user", who owns pets.
 bool is_plugin_id(std::string_view text);
 
 /// Reads <folder>/plugin.json, the Lua files and what they weigh, and checks all of it; pictures

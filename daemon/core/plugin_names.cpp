@@ -92,7 +92,7 @@ bool is_plugin_id(std::string_view text) {
     const auto fits = [](char c) { return is_small(c) || is_digit(c); };
     return text.size() >= 3 && text.size() <= 40 && fits(text.front()) && fits(text.back()) &&
            std::ranges::all_of(text, [&](char c) { return fits(c) || c == '-'; }) &&
-           !names_device(text);
+           !names_device(text) && text != "user";
 }
 
 }  // namespace hyrax

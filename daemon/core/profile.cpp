@@ -136,6 +136,9 @@ LoadedScripts load_scripts(const Profile& profile, const std::vector<std::string
         read(name, path);
     }
     for (const fs::path& path : profile.more_scripts) {
+        if (std::error_code error; fs::is_directory(path, error)) {
+            continue;  // A plugin: plugins.h
+        }
         read(text_of(path.filename()), path);
     }
     return loaded;
@@ -171,7 +174,8 @@ bool matches(std::string_view pattern, std::string_view name) {
 Result<void> prepare(const Profile& profile) {
     std::error_code error;
     for (const fs::path& folder :
-         {profile.user, profile.user / "scripts", profile.user / "sprites"}) {
+         {profile.user, profile.user / "scripts", profile.user / "sprites", profile.user / "plugins"
+         }) {
         fs::create_directories(folder, error);
         if (error) {
             return failure(fmt::format("{}: cannot be made: {}", text_of(folder), error.message()));

@@ -15,9 +15,10 @@ namespace hyrax {
 /// What the user has in `user` comes before what is shipped in `shipped`.
 struct Profile {
     std::filesystem::path config;   ///< The file; usually user/config.json.
-    std::filesystem::path user;     ///< Holds sprites/ and scripts/.
+    std::filesystem::path user;     ///< Holds sprites/, scripts/ and plugins/.
     std::filesystem::path shipped;  ///< Holds config/config.json, config/sprites/ and scripts/.
-    std::vector<std::filesystem::path> more_scripts;  ///< Files that run whatever the config says.
+    std::vector<std::filesystem::path>
+        more_scripts;  ///< Files, and folders of plugins, that run whatever the config says.
     /// state.json, beside which store/ is, where scripts keep things; empty: nothing outlives the
     /// program.
     std::filesystem::path state{};

@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hyrax {
 
@@ -21,7 +22,10 @@ struct Remembered {
     std::optional<bool> quiet{};                 ///< Instead of the config's.
     std::map<std::string, bool> monitors{};      ///< Instead of the config's, by identity().
     std::set<std::string> scripts_off{};         ///< Of those that the config names.
-    bool greeted = false;                        ///< The first-run notice has been shown.
+    std::map<std::string, bool> plugins{};       ///< Whether they run, instead of the config's.
+    /// What plugins asked for and the user allowed.
+    std::map<std::string, std::vector<std::string>> granted{};
+    bool greeted = false;  ///< The first-run notice has been shown.
     bool operator==(const Remembered&) const = default;
 };
 

@@ -27,13 +27,30 @@ void read_flag(const JsonValue& root, const char* key, auto& slot) {
     }
 }
 
-void read_monitors(const JsonValue& value, std::map<std::string, bool>& monitors) {
+void read_flags(const JsonValue& value, std::map<std::string, bool>& flags) {
     if (!value.is_object()) {
         return;
     }
     for (const JsonValue& each : value.children()) {
         if (const std::optional<bool> allowed = each.flag()) {
-            monitors[each.located().key] = *allowed;
+            flags[each.located().key] = *allowed;
+        }
+    }
+}
+
+void read_granted(
+    const JsonValue& value, std::map<std::string, std::vector<std::string>>& granted
+) {
+    if (!value.is_object()) {
+        return;
+    }
+    for (const JsonValue& each : value.children()) {
+        std::vector<std::string>& list = granted[each.located().key];
+        for (const JsonValue& item :
+             each.items(0, most_entries).value_or(std::vector<JsonValue>{})) {
+            if (std::optional<std::string> name = item.name()) {
+                list.push_back(*std::move(name));
+            }
         }
     }
 }
@@ -65,10 +82,16 @@ Result<Remembered> parse_remembered(std::string_view text, std::string_view file
         }
         read_flag(root, "quiet", result.quiet);
         if (const auto value = root.member("monitors")) {
-            read_monitors(*value, result.monitors);
+            read_flags(*value, result.monitors);
         }
         if (const auto value = root.member("scripts_off")) {
             read_scripts(*value, result.scripts_off);
+        }
+        if (const auto value = root.member("plugins")) {
+            read_flags(*value, result.plugins);
+        }
+        if (const auto value = root.member("granted")) {
+            read_granted(*value, result.granted);
         }
         read_flag(root, "greeted", result.greeted);
     }
@@ -89,6 +112,8 @@ std::string text_of(const Remembered& remembered) {
     }
     root["monitors"] = remembered.monitors;
     root["scripts_off"] = remembered.scripts_off;
+    root["plugins"] = remembered.plugins;
+    root["granted"] = remembered.granted;
     root["greeted"] = remembered.greeted;
     return root.dump(4, ' ', false, json::error_handler_t::replace) + "\n";
 }

@@ -40,8 +40,8 @@ void RemoteScriptHost::load(std::vector<ScriptSource> sources) {
     const auto is_past = [&](const ScriptSource& text) {
         const auto wanted = named(text.name);
         const auto good = good_.find(text.name);
-        return wanted != sources_.end() && !same_text(*wanted, text) &&
-               (good == good_.end() || !same_text(good->second, text));
+        return wanted != sources_.end() && !wanted->has_text_of(text) &&
+               (good == good_.end() || !good->second.has_text_of(text));
     };
     std::erase_if(good_, [&](const auto& entry) { return named(entry.first) == sources_.end(); });
     std::erase_if(out_, [&](const ScriptSource& text) {
@@ -101,7 +101,7 @@ std::vector<ScriptSource> RemoteScriptHost::to_run() const {
 
 const ScriptSource* RemoteScriptHost::stand_in(const ScriptSource& script) const {
     const auto found = good_.find(script.name);
-    const bool helps = found != good_.end() && !same_text(found->second, script) &&
+    const bool helps = found != good_.end() && !found->second.has_text_of(script) &&
                        kills_.find(found->second) == kills_.end() && !out_.contains(found->second);
     return helps ? &found->second : nullptr;
 }
@@ -292,6 +292,9 @@ void RemoteScriptHost::end_process(std::string_view reason, bool blame) {
         out_.insert(culprit);
         ++kills_[culprit];
         const bool often = kills_[culprit] >= most_kills;
+        if (often) {
+            output_->given_up.push_back(culprit.name);
+        }
         output_->log.push_back({
             LogLevel::error,
             culprit.name,
@@ -310,6 +313,12 @@ void RemoteScriptHost::end_process(std::string_view reason, bool blame) {
         output_->log.push_back(about_host(LogLevel::warning, fmt::format("it {}", reason)));
     }
     give_up_evaluations(*output_, output_->log.back().text);
+    // Nobody is left to end what lasts until its script ends it.
+    for (const ScriptSource& source : sent_) {
+        if (std::ranges::count(source.permissions, "wind") != 0) {
+            output_->commands.emplace_back(command::Wind{source.name, {}});
+        }
+    }
     if (!sent_.empty()) {
         output_->log.push_back(about_host(LogLevel::warning, "all other scripts start again"));
     }

@@ -51,12 +51,10 @@ private:
     // What a script keeps and is set to makes it no other one.
     struct ByText {
         bool operator()(const ScriptSource& a, const ScriptSource& b) const {
-            return std::tie(a.name, a.text, a.turn) < std::tie(b.name, b.text, b.turn);
+            return std::tie(a.name, a.text, a.modules, a.turn) <
+                   std::tie(b.name, b.text, b.modules, b.turn);
         }
     };
-    static bool same_text(const ScriptSource& a, const ScriptSource& b) {
-        return a.text == b.text && a.turn == b.turn;
-    }
 
     void stop();
     void keep_up(const ScriptOutput& output);

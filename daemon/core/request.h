@@ -41,6 +41,16 @@ struct SetScript {
     std::string script;
     bool on = true;
 };
+/// Whether a plugin runs.
+struct SetPlugin {
+    std::string plugin;
+    bool on = true;
+};
+/// Grants a plugin what it asks for and turns it on, or takes all of it back and turns it off.
+struct AllowPlugin {
+    std::string plugin;
+    bool allowed = true;
+};
 struct StopPet {
     PetId pet;
 };
@@ -78,6 +88,8 @@ using Request = std::variant<
     request::SetQuiet,
     request::SetMonitor,
     request::SetScript,
+    request::SetPlugin,
+    request::AllowPlugin,
     request::StopPet,
     request::ResetPet,
     request::SetScale,

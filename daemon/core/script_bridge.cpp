@@ -43,6 +43,9 @@ struct MovingVerb {
     std::string_view operator()(const command::MoveTo&) const { return "move_to"; }
     std::string_view operator()(const command::Reset&) const { return "reset"; }
     std::string_view operator()(const command::WalkTo&) const { return "walk_to"; }
+    std::string_view operator()(const command::Wind& wind) const {
+        return wind.velocity == Vec2{} ? "" : "wind";
+    }
     std::string_view operator()(const auto&) const { return {}; }
 };
 
@@ -65,8 +68,9 @@ void write_log(const ScriptLog& line) {
     };
     // Errors begin with the script's name and the line.
     const std::string prefix = line.script + ": ";
-    const bool located = line.text.starts_with(line.script + ":");
-    spdlog::log(levels[std::to_underlying(line.level)], "{}{}", located ? "" : prefix, line.text);
+    spdlog::log(
+        levels[std::to_underlying(line.level)], "{}{}", line.has_place() ? "" : prefix, line.text
+    );
 }
 
 }  // namespace
@@ -79,14 +83,19 @@ void ScriptBridge::load(std::vector<ScriptSource> sources) {
     unloading_ = sources.empty();
     watch_cursor_ = std::ranges::any_of(sources, Looks{"cursor"});
     watch_windows_ = std::ranges::any_of(sources, Looks{"windows"});
-    std::map<std::string, Text> texts;
+    std::map<std::string, ScriptSource> texts;
     for (const ScriptSource& source : sources) {
-        texts.emplace(source.name, Text{source.text, source.turn});
+        ScriptSource& known = texts[source.name];
+        known.text = source.text;
+        known.modules = source.modules;
+        known.turn = source.turn;
+        retired_.erase(source.name);
     }
     std::erase_if(errors_, [&](const auto& error) {
         const auto now = texts.find(error.first);
         const auto before = texts_.find(error.first);
-        return now == texts.end() || before == texts_.end() || now->second != before->second;
+        return now == texts.end() || before == texts_.end() ||
+               !now->second.has_text_of(before->second);
     });
     texts_ = std::move(texts);
     pressed_hotkeys_.clear();
@@ -196,7 +205,7 @@ std::vector<std::string> ScriptBridge::ended() const {
 void ScriptBridge::use(Engine& engine, ScriptOutput output) {
     for (const ScriptLog& line : output.log) {
         write_log(line);
-        if (line.level == LogLevel::error && line.text.starts_with(line.script + ":")) {
+        if (line.level == LogLevel::error && line.has_place()) {
             errors_[line.script] = line.text;  // Not the lines of its call trace.
         }
     }
@@ -210,6 +219,7 @@ void ScriptBridge::use(Engine& engine, ScriptOutput output) {
     }
     std::ranges::move(output.commands, std::back_inserter(commands_));
     std::ranges::move(output.evaluated, std::back_inserter(evaluated_));
+    std::ranges::move(output.given_up, std::back_inserter(given_up_));
 }
 
 // Those that were asked for and not looked at yet; the others are for who takes the loss.
@@ -317,6 +327,9 @@ Result<void> ScriptBridge::apply(Engine& engine, const ScriptCommand& given) {
     const auto perform = [this, &engine](const auto& c) -> Result<void> {
         using Command = std::remove_cvref_t<decltype(c)>;
         if constexpr (std::is_same_v<Command, command::Spawn>) {
+            if (retired_.contains(c.options.owner)) {
+                return {};
+            }
             if (made_.contains(c.key)) {
                 return failure("spawn: its key belongs to another pet");
             }
@@ -331,6 +344,9 @@ Result<void> ScriptBridge::apply(Engine& engine, const ScriptCommand& given) {
                              std::is_same_v<Command, command::Notify> ||
                              std::is_same_v<Command, command::Hotkey>) {
             wishes_.emplace_back(c);
+            return {};
+        } else if constexpr (std::is_same_v<Command, command::Wind>) {
+            blow(engine, c.script, c.velocity);
             return {};
         } else {
             const PetId pet = id_of(c.pet);

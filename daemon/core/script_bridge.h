@@ -98,6 +98,10 @@ public:
     /// Commands of scripts that are not for the engine (Store, Notify, Hotkey), since the last
     /// call.
     std::vector<ScriptCommand> take_wishes() { return std::exchange(wishes_, {}); }
+    /// Names of scripts that were killed too often to run again, since the last call.
+    std::vector<std::string> take_given_up() { return std::exchange(given_up_, {}); }
+    /// Removes the pets of somebody who is no longer loaded, and those that it still asks for.
+    void retire(Engine& engine, const std::string& owner);
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -114,6 +118,7 @@ private:
     void apply_commands(Engine& engine);
     Result<void> apply(Engine& engine, const ScriptCommand& command);
     bool refuses(const ScriptCommand& command);
+    void blow(Engine& engine, const std::string& script, Vec2 wind);
     void forget_removed(const Engine& engine);
 
     std::unique_ptr<ScriptHost> host_;
@@ -124,12 +129,10 @@ private:
     Ticks next_wake_ = never;
     std::set<std::string_view> refused_;  // Verbs that have been told of.
     std::map<std::string, std::string> errors_;
-    struct Text {
-        std::string text;
-        std::uint64_t turn = 0;
-        bool operator==(const Text&) const = default;
-    };
-    std::map<std::string, Text> texts_;  // By name, as loaded.
+    std::map<std::string, ScriptSource> texts_;  // By name, as loaded.
+    std::set<std::string> retired_;
+    std::vector<std::string> given_up_;
+    std::map<std::string, Vec2> winds_;  // By script.
     std::deque<ScriptEvent> events_;
     std::size_t dropped_events_ = 0;
     std::deque<ScriptCommand> commands_;

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <chrono>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -151,6 +152,11 @@ struct Notify {
     std::string script;
     std::string text;
 };
+/// The script's share of the wind, instead of what it was [px/s].
+struct Wind {
+    std::string script;
+    Vec2 velocity;
+};
 struct Hotkey {
     std::string script;
     std::uint64_t id = 0;  ///< Unique in its script until that is loaded again.
@@ -175,7 +181,8 @@ using ScriptCommand = std::variant<
     command::Face,
     command::Store,
     command::Notify,
-    command::Hotkey>;
+    command::Hotkey,
+    command::Wind>;
 
 enum class LogLevel { info, warning, error };
 
@@ -183,6 +190,12 @@ struct ScriptLog {
     LogLevel level = LogLevel::info;
     std::string script;
     std::string text;  ///< Errors begin with the script's name and the line.
+
+    /// Whether the text does: "fountain.lua:3: ..." or "catch/score.lua:3: ...".
+    bool has_place() const {
+        return text.starts_with(script) && (text.substr(script.size()).starts_with(':') ||
+                                            text.substr(script.size()).starts_with('/'));
+    }
 };
 
 /// A case of hyrax.test that has ended.
@@ -208,6 +221,8 @@ struct ScriptOutput {
     /// said by scripts.
     bool lost = false;
     std::vector<Evaluated> evaluated{};
+    /// Names of scripts that were killed too often to run again. Not over the wire.
+    std::vector<std::string> given_up{};
 };
 
 /// The version of what scripts can call. A plugin that asks for the same major and no later minor
@@ -224,20 +239,27 @@ inline constexpr std::array<std::string_view, 6> script_permissions{
 struct ScriptModule {
     std::string name;  ///< "lib.score"
     std::string text;
-    bool operator==(const ScriptModule&) const = default;
+    auto operator<=>(const ScriptModule&) const = default;
 };
 
 /// A script's text under the name that messages use, and what comes with it.
 struct ScriptSource {
     std::string name;  ///< "fountain.lua"
     std::string text;
-    std::string version{};                   ///< Of a plugin.
+    std::string version{};                   ///< Of a plugin; empty: a script.
+    std::string file{};                      ///< The name's file in a plugin: "main.lua".
+    std::vector<ScriptModule> modules{};     ///< Of a plugin; no name twice.
     std::vector<std::string> permissions{};  ///< Of script_permissions.
     ScriptTable config{};                    ///< The user's settings of it.
     ScriptTable store{};                     ///< What it has kept so far.
+    bool keep_pets = true;                   ///< When another text takes its place.
     bool testing = false;                    ///< It gets hyrax.test, and its cases run.
     std::uint64_t turn = 0;                  ///< With another one the same text starts again.
     bool operator==(const ScriptSource&) const = default;
+
+    bool has_text_of(const ScriptSource& other) const {
+        return text == other.text && modules == other.modules && turn == other.turn;
+    }
 };
 
 /// Runs scripts. A script that fails is reported in the log of the next output and never stops

@@ -14,26 +14,6 @@ using nlohmann::json;
 
 constexpr int deepest = 32;
 
-json json_from(const ScriptValue& value) {
-    const auto convert = [](const auto& held) -> json {
-        using Held = std::remove_cvref_t<decltype(held)>;
-        if constexpr (std::is_same_v<Held, std::monostate>) {
-            return nullptr;
-        } else if constexpr (std::is_same_v<Held, ScriptValue::List>) {
-            json list = json::array();
-            for (const ScriptValue& item : held) {
-                list.push_back(json_from(item));
-            }
-            return list;
-        } else if constexpr (std::is_same_v<Held, ScriptTable>) {
-            return json_from(held);
-        } else {
-            return held;
-        }
-    };
-    return std::visit(convert, value.data);
-}
-
 ScriptTable table_from(const json& object, int depth);
 
 // Deeper than any store that was written is taken for nothing.
@@ -80,6 +60,26 @@ ScriptTable table_from(const json& object, int depth) {
 }
 
 }  // namespace
+
+json json_from(const ScriptValue& value) {
+    const auto convert = [](const auto& held) -> json {
+        using Held = std::remove_cvref_t<decltype(held)>;
+        if constexpr (std::is_same_v<Held, std::monostate>) {
+            return nullptr;
+        } else if constexpr (std::is_same_v<Held, ScriptValue::List>) {
+            json list = json::array();
+            for (const ScriptValue& item : held) {
+                list.push_back(json_from(item));
+            }
+            return list;
+        } else if constexpr (std::is_same_v<Held, ScriptTable>) {
+            return json_from(held);
+        } else {
+            return held;
+        }
+    };
+    return std::visit(convert, value.data);
+}
 
 json json_from(const ScriptTable& table) {
     json object = json::object();

@@ -9,6 +9,7 @@
 namespace hyrax {
 
 nlohmann::json json_from(const ScriptTable& table);
+nlohmann::json json_from(const ScriptValue& value);
 
 /// Whole numbers stay whole. Null is nothing, and so is what is deeper than a value may be.
 ScriptValue script_value_from(const nlohmann::json& value);

@@ -46,6 +46,7 @@ inline constexpr std::size_t most_told = 1'000;  ///< Pressed hotkeys, evaluatio
 inline constexpr std::size_t longest_evaluation = std::size_t{64} << 10U;  ///< [bytes]
 inline constexpr std::size_t longest_evaluated = std::size_t{8} << 10U;    ///< [bytes]
 inline constexpr std::size_t most_permissions = 64;
+inline constexpr std::size_t most_modules = 200;
 inline constexpr std::size_t most_tests = 10'000;
 inline constexpr std::size_t longest_text = std::size_t{1} << 20U;  ///< In a value [bytes].
 inline constexpr std::size_t most_values = 500'000;  ///< In a message, those within values too.

@@ -235,6 +235,12 @@ void fields(auto& wire, Is<command::Hotkey> auto& hotkey) {
     wire.text(hotkey.label, longest_line);
 }
 
+void fields(auto& wire, Is<command::Wind> auto& wind) {
+    wire.text(wind.script, longest_name);
+    wire.number(wind.velocity.x);
+    wire.number(wind.velocity.y);
+}
+
 void fields(auto& wire, Is<ScriptCommand> auto& command) {
     wire.alternative(command, "there is no such command");
 }
@@ -300,13 +306,21 @@ void fields(auto& wire, Is<Load> auto& load) {
     wire.flag(load.anew);
 }
 
+void fields(auto& wire, Is<ScriptModule> auto& module) {
+    wire.text(module.name, longest_name);
+    wire.text(module.text, longest_source);
+}
+
 void fields(auto& wire, Is<ScriptSource> auto& source) {
     wire.text(source.name, longest_name);
     wire.text(source.text, longest_source);
     wire.text(source.version, longest_name);
+    wire.text(source.file, longest_name);
+    wire.list(source.modules, most_modules);
     wire.list(source.permissions, most_permissions);
     fields(wire, source.config);
     fields(wire, source.store);
+    wire.flag(source.keep_pets);
     wire.flag(source.testing);
     wire.whole(source.turn);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a script may do only with a permission: see the pointer and windows, take hotkeys, notify.
+// What a script may do only with a permission: see the pointer and windows, take hotkeys, notify,
+// make wind.
 #include "daemon/core/key_combination.h"
 #include "daemon/script/api.h"
 #include "daemon/script/arguments.h"
@@ -60,6 +61,24 @@ int hotkey(lua_State* lua, Script& script) {
     return 1;
 }
 
+// Nothing, or two zeros, ends it.
+int wind(lua_State* lua, Script& script) {
+    require_permission(lua, script, "hyrax.wind", "wind");
+    Vec2 velocity;
+    if (!lua_isnoneornil(lua, 1)) {
+        velocity = {
+            number_argument(lua, 1, "hyrax.wind: vx"),
+            lua_isnoneornil(lua, 2) ? 0.0 : number_argument(lua, 2, "hyrax.wind: vy")
+        };
+    }
+    velocity = shortened(velocity, script.limits.max_speed);
+    if (velocity != script.belongings.wind) {
+        script.command(lua, command::Wind{script.name(), velocity});
+        script.belongings.wind = velocity;
+    }
+    return 0;
+}
+
 int notify(lua_State* lua, Script& script) {
     require_permission(lua, script, "hyrax.notify", "notify");
     const std::string text = text_argument(lua, 1, "hyrax.notify: text", script.limits.speech);
@@ -84,6 +103,7 @@ void open_permitted_api(lua_State* lua) {
         {"cursor", api<cursor>},
         {"hotkey", api<hotkey>},
         {"notify", api<notify>},
+        {"wind", api<wind>},
         {"windows", api<windows>},
         {nullptr, nullptr},
     };

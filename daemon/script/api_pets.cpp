@@ -18,6 +18,16 @@ struct Circle {
     double radius = 0.0;
 };
 
+// A plugin calls its own kinds without its name.
+std::string full_kind(const Script& script, std::string kind) {
+    if (script.belongings.version.empty()) {
+        return kind;
+    }
+    std::string own = script.name() + "/" + kind;
+    const bool is_own = std::ranges::count(script.view.world().kinds, own, &Kind::name) != 0;
+    return is_own ? own : kind;
+}
+
 struct Filter {
     std::optional<std::string> kind;
     std::optional<std::string> tag;
@@ -47,8 +57,12 @@ std::optional<Circle> near_option(lua_State* lua, const Options& options, const 
 
 Filter filter_argument(lua_State* lua, Script& script, int index, const char* function) {
     const Options options(lua, index, function, filter_options);
+    auto kind = options.text("kind", script.limits.name);
+    if (kind) {
+        kind = full_kind(script, *std::move(kind));
+    }
     return {
-        .kind = options.text("kind", script.limits.name),
+        .kind = std::move(kind),
         .tag = options.text("tag", script.limits.name),
         .all = options.flag("all").value_or(false),
         .near = near_option(lua, options, function),
@@ -117,7 +131,7 @@ Vec2 entrance(Script& script, std::optional<double> x, std::optional<double> y, 
 int spawn(lua_State* lua, Script& script) {
     const Options options(lua, 1, "hyrax.spawn", spawn_options);
     SpawnOptions wish{
-        .kind = options.text("kind", script.limits.name).value_or("hyrax"),
+        .kind = full_kind(script, options.text("kind", script.limits.name).value_or("hyrax")),
         .at = {},
         .velocity = {options.number("vx").value_or(0.0), options.number("vy").value_or(0.0)},
         .owner = script.name(),

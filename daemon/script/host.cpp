@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <concepts>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,20 +23,21 @@ using script::Snapshot;
 struct Loaded {
     ScriptSource source;
     std::unique_ptr<Script> script;
-    std::string refused{};  ///< A newer text that failed; empty: none.
+    std::optional<ScriptSource> refused{};  ///< A newer text that failed.
     bool is_new = false;
 
     bool runs(const ScriptSource& other) const {
-        return source.name == other.name && source.text == other.text && runs_alike(other);
+        return source.name == other.name && source.has_text_of(other) && runs_alike(other);
     }
     bool has_refused(const ScriptSource& other) const {
-        return !refused.empty() && refused == other.text && runs_alike(other);
+        return refused && refused->has_text_of(other) && runs_alike(other);
     }
 
 private:
     bool runs_alike(const ScriptSource& other) const {
         return source.version == other.version && source.permissions == other.permissions &&
-               source.testing == other.testing && source.turn == other.turn;
+               source.file == other.file && source.testing == other.testing &&
+               source.turn == other.turn;
     }
 };
 
@@ -88,7 +90,7 @@ public:
             output.next_wake = std::min(output.next_wake, script.next_wake());
         });
         for (std::uint32_t place = 0; place < scripts_.size(); ++place) {
-            if (scripts_[place].script->ended() || !scripts_[place].refused.empty()) {
+            if (scripts_[place].script->ended() || scripts_[place].refused) {
                 output.ended.push_back(place);
             }
         }
@@ -200,7 +202,7 @@ private:
         auto script = std::make_unique<Script>(source, limits_);
         script->begin(run);
         const Turn turn(limits_.pulse, scripts_.size());
-        const bool good = script->run_main_chunk(source.text);
+        const bool good = script->run_main_chunk(source);
         if (!good) {
             run.output.commands.resize(commands);
         }
@@ -210,7 +212,7 @@ private:
 
     Loaded kept(Loaded old, const ScriptSource& source) {
         if (!old.has_refused(source)) {
-            old.refused.clear();
+            old.refused.reset();
         }
         const Turn turn(limits_.pulse, scripts_.size());
         const ScriptTable before = std::exchange(old.source.config, source.config);
@@ -236,8 +238,11 @@ private:
             old.script->journal.tell(
                 LogLevel::warning, "the text before this one goes on, until it is saved again"
             );
-            old.refused = std::move(source.text);
+            old.refused = std::move(source);
             return old;
+        }
+        if (!source.keep_pets) {
+            old.script->remove_pets();
         }
         old.script->unload("reload");
         source.store = old.script->belongings.store;

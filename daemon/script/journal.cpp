@@ -103,14 +103,14 @@ void Journal::ended(const std::string& reason, const CallTrace& trace) {
 // brought have names of their own.
 std::string Journal::located(std::string_view message, const CallTrace& trace) const {
     std::string text = clean_text(message, longest_message);
-    const std::string prefix = script_ + ":";
-    if (text.starts_with(prefix)) {
+    const auto has_place = [&] { return ScriptLog{LogLevel::error, script_, text}.has_place(); };
+    if (has_place()) {
         return text;
     }
     if (!trace.where.empty() && !text.starts_with(trace.where + ":")) {
         text = trace.where + ": " + text;
     }
-    return text.starts_with(prefix) ? text : prefix + " " + text;
+    return has_place() ? text : script_ + ": " + text;
 }
 
 void Journal::tell_frames(const CallTrace& trace) {

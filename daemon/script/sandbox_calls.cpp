@@ -5,6 +5,7 @@
 
 #include <lauxlib.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -158,6 +159,53 @@ int load(lua_State* lua) {
     return 1;
 }
 
+// Of a state: what each module returned.
+constexpr char loaded_modules[] = "hyrax.modules";
+
+// Runs the text once. While it runs, and if it fails, the module stands for false.
+int require_module(lua_State* lua, std::string_view name) {
+    Script& script = Script::of(lua);
+    const auto& modules = script.belongings.modules;
+    const auto module = std::ranges::find(modules, name, &ScriptModule::name);
+    if (module == modules.end()) {
+        return luaL_error(
+            lua,
+            modules.empty() ? "require: there is no module '%s'; scripts can require 'hyrax' only"
+                            : "require: there is no module '%s' in this plugin",
+            lua_tostring(lua, 1)
+        );
+    }
+    luaL_getsubtable(lua, LUA_REGISTRYINDEX, loaded_modules);
+    const int loaded = lua_gettop(lua);
+    if (lua_getfield(lua, loaded, module->name.c_str()) == LUA_TBOOLEAN &&
+        lua_toboolean(lua, -1) == 0) {
+        return luaL_error(
+            lua, "require: module '%s' is just being loaded, or has failed", module->name.c_str()
+        );
+    }
+    if (!lua_isnil(lua, -1)) {
+        return 1;
+    }
+    lua_pushboolean(lua, 0);
+    lua_setfield(lua, loaded, module->name.c_str());
+    script.meter.charge(lua, static_cast<std::int64_t>(module->text.size()) * units_per_byte);
+    std::string chunk = "@" + script.name() + "/" + module->name;
+    std::ranges::replace(chunk, '.', '/');
+    chunk += ".lua";
+    if (luaL_loadbufferx(lua, module->text.data(), module->text.size(), chunk.c_str(), "t") !=
+        LUA_OK) {
+        return lua_error(lua);
+    }
+    lua_pushvalue(lua, 1);
+    lua_call(lua, 1, 1);
+    if (lua_isnil(lua, -1) || (lua_isboolean(lua, -1) && lua_toboolean(lua, -1) == 0)) {
+        lua_pushboolean(lua, 1);
+    }
+    lua_pushvalue(lua, -1);
+    lua_setfield(lua, loaded, module->name.c_str());
+    return 1;
+}
+
 // No path is ever built from a script's text.
 int require(lua_State* lua) {
     constexpr std::size_t longest_name = 64;
@@ -173,11 +221,7 @@ int require(lua_State* lua) {
             lua, "require: the name is longer than %d bytes", static_cast<int>(longest_name)
         );
     }
-    return luaL_error(
-        lua,
-        "require: there is no module '%s'; scripts can require 'hyrax' only",
-        lua_tostring(lua, 1)
-    );
+    return require_module(lua, name);
 }
 
 int collect_garbage(lua_State* lua) {

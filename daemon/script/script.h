@@ -49,7 +49,7 @@ public:
     /// Opens a run. Everything below happens inside one.
     void begin(Run& run);
     /// False if it failed: then nothing of the script is left but its journal and its belongings.
-    [[nodiscard]] bool run_main_chunk(const std::string& source);
+    [[nodiscard]] bool run_main_chunk(const ScriptSource& source);
     void ready();
     void deliver(const ScriptEvent& event);
     void change_setting(const std::string& key, const ScriptValue& value);
@@ -61,6 +61,8 @@ public:
     /// The last that it hears; nothing of it runs afterwards. `reason`: "reload", "disable" or
     /// "exit".
     void unload(const char* reason);
+    /// Its pets leave.
+    void remove_pets();
     /// False once it was ended or paused: then it neither runs nor listens.
     bool active() const { return lua_ != nullptr && !paused_ && !meter.killed(); }
     /// Ended by its limits or never loaded: for good.
@@ -132,6 +134,7 @@ private:
     void fire(Topic topic, PetKey first, PetKey second, PushArguments push);
     std::vector<std::uint64_t> waiters_for(Topic topic, const ScriptEvent& event) const;
     void drop_hotkeys();
+    void end_wind();
     void run_tests();
     void end_test();
     void give_up_tests(const char* problem);

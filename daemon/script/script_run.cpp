@@ -27,14 +27,14 @@ void Script::begin(Run& run) {
     journal.begin_run(now(), run.output.log);
 }
 
-bool Script::run_main_chunk(const std::string& source) {
+bool Script::run_main_chunk(const ScriptSource& source) {
     loaded_at_ = now();
     failed_ = false;
     meter.begin(limits.load_units, limits.load_time);
     protect([this, &source](lua_State* lua) {
         open_sandbox(lua, *this);
         open_api(lua);
-        std::string_view text = source;
+        std::string_view text = source.text;
         if (text.starts_with("\xEF\xBB\xBF")) {
             text.remove_prefix(3);
         }
@@ -47,7 +47,7 @@ bool Script::run_main_chunk(const std::string& source) {
             );
         }
         meter.charge(lua, static_cast<std::int64_t>(text.size()) * units_per_source_byte);
-        const std::string chunk = "@" + name();
+        const std::string chunk = "@" + name() + (source.file.empty() ? "" : "/" + source.file);
         if (luaL_loadbufferx(lua, text.data(), text.size(), chunk.c_str(), "t") != LUA_OK) {
             lua_error(lua);
         }
@@ -186,6 +186,10 @@ void Script::end_test() {
     if (auto ended = tests.end(name(), now())) {
         run_->output.tests.push_back(*std::move(ended));
     }
+    remove_pets();
+}
+
+void Script::remove_pets() {
     std::vector<PetKey> own;
     view.for_each([&](const PetView& pet) {
         if (pet.owner == name()) {
@@ -242,6 +246,7 @@ void Script::end() {
     }
     if (!active()) {
         drop_hotkeys();
+        end_wind();
         give_up_tests("the script was stopped");
     }
     if (meter.killed()) {
@@ -270,7 +275,15 @@ void Script::unload(const char* reason) {
     end();
     give_up_evaluations(name() + ": was unloaded");
     drop_hotkeys();
+    end_wind();
     close();
+}
+
+void Script::end_wind() {
+    if (belongings.wind != Vec2{}) {
+        belongings.wind = {};
+        run_->output.commands.emplace_back(command::Wind{name(), {}});
+    }
 }
 
 void Script::drop_hotkeys() {

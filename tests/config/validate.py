@@ -108,6 +108,8 @@ class Config(unittest.TestCase):
             "/overlay/fps": None,
             "/scripts/run": "*.lua",
             "/scripts/run/0": "a/../../b.lua",
+            "/plugins": [],
+            "/plugins/catch": True,
             "/log/level": "loud",
         }
         for pointer, value in broken.items():
@@ -117,6 +119,7 @@ class Config(unittest.TestCase):
     def test_harmless_changes_are_accepted(self):
         harmless = {
             "/unknown": 1,
+            "/plugins/catch": {"enabled": True, "seconds": 30},
             "/physics/gravity": 300.5,
             "/pets/start/0": {"x": 5, "y": 6, "vx": -7},
             "/scripts/run": ["examples/*.lua", "a..b/c?.lua"],
@@ -170,6 +173,19 @@ class Plugins(unittest.TestCase):
 
     def setUp(self):
         self.schema = validator("plugin.schema.json")
+
+    def test_shipped_plugins_are_valid(self):
+        files = sorted((CONFIG.parent / "scripts/plugins").glob("*/plugin.json"))
+        self.assertTrue(files, "no plugin is shipped")
+        for file in files:
+            with self.subTest(file.parent.name):
+                manifest = load(file)
+                self.schema.validate(manifest)
+                self.assertEqual(manifest["id"], file.parent.name)
+                self.assertTrue(
+                    (file.parent / manifest["$schema"]).samefile(CONFIG / "plugin.schema.json"))
+                for sprite in manifest.get("kinds", {}).values():
+                    validator("sprite.schema.json").validate(load(file.parent / sprite))
 
     def test_a_manifest_is_valid(self):
         self.schema.validate(self.MANIFEST)

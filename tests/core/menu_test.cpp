@@ -21,6 +21,11 @@ MenuState busy() {
                 {.name = "juggling.lua", .on = false},
                 {.name = "broken.lua", .error = "broken.lua:3: attempt to index a nil value"},
             },
+        .plugins =
+            {
+                {.id = "catch", .name = "Catch", .on = true, .error = "catch/main.lua:3: no"},
+                {.id = "weather", .name = "Weather", .on = true, .asks = {"cursor", "wind"}},
+            },
         .monitors =
             {
                 {.id = "left", .text = "1: 1920 x 1080, primary"},
@@ -224,6 +229,21 @@ TEST_CASE("menu: what would do nothing cannot be chosen") {
     CHECK(std::ranges::none_of(menu, [](const MenuItem& item) {
         return item.text == "Start with &Windows";
     }));
+}
+
+TEST_CASE("menu: plugins with what they ask for and what is wrong with them") {
+    const MenuItems plugins = item_named(tray_menu(busy()), "P&lugins").children;
+    REQUIRE(plugins.size() == 4);
+    CHECK(plugins[0].checked);
+    CHECK_FALSE(request_of<request::SetPlugin>(plugins[0]).on);
+    CHECK(plugins[1].text == "    catch/main.lua:3: no");
+    CHECK_FALSE(plugins[1].enabled);
+    CHECK(plugins[3].text.ends_with("llow Weather: cursor, wind"));
+    CHECK(request_of<request::AllowPlugin>(plugins[3]).plugin == "weather");
+    CHECK(request_of<request::AllowPlugin>(plugins[3]).allowed);
+    for (const MenuItem& item : tray_menu({})) {
+        CHECK(item.text != "P&lugins");
+    }
 }
 
 TEST_CASE("menu: a pet's sizes, with the present one ticked") {

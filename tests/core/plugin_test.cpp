@@ -70,6 +70,7 @@ const std::vector<Wrong> wrong_values{
     {"/id", "ab", "must be 3 to 40 small letters", "\"ab\""},
     {"/id", "com1", "must be 3 to 40 small letters", "\"com1\""},
     {"/id", "../ab", "must be 3 to 40 small letters", "\"../ab\""},
+    {"/id", "user", "must be 3 to 40 small letters", "\"user\""},
     {"/id", 7, "must be 3 to 40 small letters", "7"},
     {"/version", "1.2", "must be a version as semver.org has it", "\"1.2\""},
     {"/version", "01.2.3", "must be a version as semver.org has it", "\"01.2.3\""},

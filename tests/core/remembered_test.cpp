@@ -15,6 +15,8 @@ TEST_CASE("remembered: what was written is read again") {
         .quiet = false,
         .monitors = {{"\\\\?\\DISPLAY#A \"x\"", false}, {"b", true}},
         .scripts_off = {"fountain.lua", "examples/j\xC3\xA4.lua"},
+        .plugins = {{"catch", true}, {"weather", false}},
+        .granted = {{"weather", {"pets.others", "wind"}}, {"none", {}}},
         .greeted = true,
     };
     for (const Remembered& one : {all, Remembered{}}) {
@@ -40,6 +42,9 @@ TEST_CASE("remembered: a missing file is an empty memory, a broken one says what
           "{\"hidden\": 1}",
           "[]",
           "{\"scripts_off\": [\"../x\"]}",
+          "{\"plugins\": {\"a\": 1}}",
+          "{\"granted\": {\"a\": true}}",
+          "{\"granted\": {\"a\": [1]}}",
           "{\"monitors\": 5}",
           "{\"monitors\": {\"a\": 1}}",
           "{\"hidden_until\": -1}",

@@ -137,6 +137,41 @@ TEST_CASE("other pets have keys made from their ids") {
     CHECK(stage.engine.find(*id)->tag == "mine");
 }
 
+TEST_CASE("winds of scripts add up, and what is left of one goes with the other") {
+    Stage stage;
+    const auto blow = [&stage](std::vector<ScriptCommand> commands) {
+        stage.recorder.answer.commands = std::move(commands);
+        stage.recorder.answer.next_wake = 0;
+        stage.run(1);
+        return stage.engine.wind();
+    };
+    CHECK(blow({command::Wind{"a", {300.0, 10.0}}}) == Vec2{300.0, 10.0});
+    CHECK(blow({command::Wind{"b", {-100.0, 5.0}}}) == Vec2{200.0, 15.0});
+    CHECK(blow({command::Wind{"a", {100.0, 0.0}}}) == Vec2{0.0, 5.0});
+    CHECK(stage.engine.integrator() == Integrator::rk45);
+    CHECK(blow({command::Wind{"a", {}}, command::Wind{"b", {}}}) == Vec2{});
+    CHECK(stage.engine.integrator() == Integrator::event_driven);
+}
+
+TEST_CASE("who is retired loses its pets, and gets no more until it is loaded again") {
+    Stage stage;
+    stage.recorder.answer.commands = {
+        command::Spawn{key, {.owner = "rock"}}, command::Spawn{key + 1, {.owner = "other"}}
+    };
+    stage.run();
+    REQUIRE(stage.engine.size() == 2);
+    stage.bridge.retire(stage.engine, "rock");
+    CHECK(stage.engine.size() == 1);
+    stage.recorder.answer.commands = {command::Spawn{key + 2, {.owner = "rock"}}};
+    stage.recorder.answer.next_wake = 0;
+    stage.run(1);
+    CHECK(stage.engine.size() == 1);
+    stage.bridge.load({{"rock", ""}});
+    stage.recorder.answer.commands = {command::Spawn{key + 3, {.owner = "rock"}}};
+    stage.run(2);
+    CHECK(stage.engine.size() == 2);
+}
+
 TEST_CASE("looks and walks reach the engine; what is not for it is kept for somebody else") {
     Stage stage;
     stage.recorder.answer.commands = {command::Spawn{key, {.at = Vec2{100.0, 590.0}}}};

@@ -73,6 +73,11 @@ public:
         }
         source.config = table();
         source.store = table();
+        source.file = text();
+        for (std::size_t i = below(3); i > 0; --i) {
+            source.modules.push_back({text(), text(300)});
+        }
+        source.keep_pets = flip();
         source.testing = flip();
         source.turn = random_();
         return source;
@@ -108,7 +113,7 @@ public:
         };
     }
     ScriptCommand command() {
-        switch (below(16)) {
+        switch (below(17)) {
             case 0:
                 return command::Spawn{
                     made_key(),
@@ -153,6 +158,8 @@ public:
                 return command::Notify{line(), line()};
             case 14:
                 return command::Hotkey{text(), random_(), text(), text()};
+            case 15:
+                return command::Wind{text(), vec()};
             default:
                 return command::Remove{random_()};
         }

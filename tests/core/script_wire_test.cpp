@@ -144,6 +144,7 @@ TEST_CASE("commands of looks, walks and wishes are read again") {
         command::Store{"a.lua", "k", {ScriptValue::List{{true}, {1.5}, {"x"}}}},
         command::Notify{"a.lua", "text"},
         command::Hotkey{"a.lua", 6, "f5", "label"},
+        command::Wind{"a.lua", {-3.0, 4.5}},
     };
     const auto read = decode_answer(body(answer_with(output))).value().output.commands;
     REQUIRE(read.size() == output.commands.size());
@@ -165,6 +166,8 @@ TEST_CASE("commands of looks, walks and wishes are read again") {
     CHECK(hotkey.id == 6);
     CHECK(hotkey.keys == "f5");
     CHECK(hotkey.label == "label");
+    CHECK(std::get<command::Wind>(read[8]).script == "a.lua");
+    CHECK(std::get<command::Wind>(read[8]).velocity == Vec2{-3.0, 4.5});
 }
 
 TEST_CASE("values are bounded in depth and size, and their tables are in order") {

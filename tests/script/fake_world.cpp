@@ -160,7 +160,8 @@ void FakeWorld::apply(const ScriptCommand& given_command) {
             take_away(wish.pet);
         } else if constexpr (std::is_same_v<Command, command::Store> ||
                              std::is_same_v<Command, command::Notify> ||
-                             std::is_same_v<Command, command::Hotkey>) {
+                             std::is_same_v<Command, command::Hotkey> ||
+                             std::is_same_v<Command, command::Wind>) {
             // Nothing of the world.
         } else if (PetView* const pet = find(wish.pet)) {
             if constexpr (std::is_same_v<Command, command::Fling>) {
