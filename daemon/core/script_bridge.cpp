@@ -53,8 +53,11 @@ struct MovingVerb {
 struct Looks {
     std::string_view permission;
     bool operator()(const ScriptSource& source) const {
-        return source.text.contains(permission) &&
-               std::ranges::find(source.permissions, permission) != source.permissions.end();
+        const auto names_it = [this](const ScriptModule& module) {
+            return module.text.contains(permission);
+        };
+        return std::ranges::find(source.permissions, permission) != source.permissions.end() &&
+               (source.text.contains(permission) || std::ranges::any_of(source.modules, names_it));
     }
 };
 
