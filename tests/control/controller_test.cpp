@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -159,6 +160,32 @@ TEST_CASE("reload tells what is wrong, scripts are shown") {
     CHECK(daemon.result(1) == json::object());
     CHECK(daemon.refusal(2).starts_with("problem: "));
     CHECK(daemon.refusal(2).contains("config.json:1:2: "));
+}
+
+TEST_CASE("plugins are listed, allowed and denied") {
+    AskedDaemon asked(6.0);
+    asked.recorded.folder.write(
+        "plugins/rock/plugin.json",
+        R"({"manifest": 1, "id": "rock", "version": "1.0.0", "api": "1.0", "name": "Rock",)"
+        R"( "permissions": ["wind"]})"
+    );
+    asked.recorded.folder.write("plugins/rock/main.lua", "hyrax.wind(5)");
+    asked.at(1.0, R"({"do": "plugins"})");
+    asked.at(2.0, R"({"do": "plugins", "act": "allow", "plugin": "rock"})");
+    asked.at(3.0, R"({"do": "plugins", "act": "deny", "plugin": "rock"})");
+    asked.at(4.0, R"({"do": "plugins", "act": "deny", "plugin": "none"})");
+    asked.at(5.0, R"({"do": "plugins", "act": "permit", "plugin": "rock"})");
+    asked.run();
+    const json list = asked.result(0)["plugins"];
+    const auto rock =
+        std::ranges::find_if(list, [](const json& one) { return one["id"] == "rock"; });
+    REQUIRE(rock != list.end());
+    CHECK((*rock)["state"] == "asks");
+    CHECK((*rock)["missing"] == json{"wind"});
+    CHECK(asked.result(1)["state"] == "on");
+    CHECK(asked.result(2)["state"] == "off");
+    CHECK(asked.refusal(3) == "no_such_plugin: there is no plugin \"none\"");
+    CHECK(asked.refusal(4).contains("act: must be \"allow\" or \"deny\", got \"permit\""));
 }
 
 TEST_CASE("those who watch hear of what they want, until they leave") {

@@ -15,6 +15,7 @@ TEST_CASE("everything loaded anew lets a script in again, but not after three ki
         CHECK(std::ranges::count(remote.loaded(), "a.lua") == 1);
         const std::string line = remote.hang(0);
         CHECK(line.ends_with("stays out until its text changes") == (i == 3));
+        CHECK(remote.given_up == (i == 3 ? Names{"a.lua"} : Names{}));
         remote.process.answer();
         remote.frame();
         remote.process.answer();

@@ -51,8 +51,11 @@ struct Remote {
         const auto output = frame();
         REQUIRE(output);
         REQUIRE_FALSE(output->log.empty());
+        given_up = output->given_up;
         return output->log.front().text;
     }
+
+    std::vector<std::string> given_up;  // By the last hang().
 };
 
 inline const std::vector<ScriptSource> three{{"a.lua", "a"}, {"b.lua", "b"}, {"c.lua", "c"}};

@@ -153,6 +153,14 @@ TEST_CASE("winds of scripts add up, and what is left of one goes with the other"
     CHECK(stage.engine.integrator() == Integrator::event_driven);
 }
 
+TEST_CASE("who is given up is told of once") {
+    Stage stage;
+    stage.recorder.answer.given_up = {"rock"};
+    stage.run();
+    CHECK(stage.bridge.take_given_up() == std::vector<std::string>{"rock"});
+    CHECK(stage.bridge.take_given_up().empty());
+}
+
 TEST_CASE("who is retired loses its pets, and gets no more until it is loaded again") {
     Stage stage;
     stage.recorder.answer.commands = {
