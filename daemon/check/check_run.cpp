@@ -8,6 +8,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <memory>
 #include <utility>
@@ -110,7 +111,7 @@ CheckRun run_script(ScriptSource source, std::vector<Kind> kinds, double seconds
             break;
         }
     }
-    scripts.end(engine, monitors, now);
+    scripts.end(engine, monitors, {.world = now, .machine = now}, std::chrono::milliseconds(0));
     return heard;
 }
 

@@ -34,6 +34,8 @@ ScriptSource source_of(const Plugin& plugin) {
         .name = plugin.id,
         .text = plugin.text,
         .version = plugin.version,
+        .file = plugin.entry,
+        .modules = plugin.modules,
         .permissions = plugin.permissions,
     };
     for (const PluginSetting& setting : plugin.settings) {

@@ -44,8 +44,8 @@ struct Config {
     AllowedSettings allowed{};  ///< Where pets may be.
     bool quiet = false;         ///< Until the user says otherwise.
     ScriptLimits limits;
-    std::vector<std::string> scripts{"*.lua"};      ///< Names in the scripts folder; * and ? match.
-    bool developer = false;                         ///< Clients of the control channel may run code in scripts.
+    std::vector<std::string> scripts{"*.lua"};  ///< Names in the scripts folder; * and ? match.
+    bool developer = false;  ///< Clients of the control channel may run code in scripts.
     std::map<std::string, PluginChoice> plugins{};  ///< By id.
     std::string log_level = "info";                 ///< trace, debug, info, warn, error or off.
     bool operator==(const Config&) const = default;
