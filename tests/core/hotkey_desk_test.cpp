@@ -2,6 +2,7 @@
 #include "daemon/core/hotkey_desk.h"
 
 #include <doctest/doctest.h>
+#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
 
@@ -55,7 +56,9 @@ struct Scene {
         const auto before = spdlog::default_logger();
         auto sink = std::make_shared<spdlog::sinks::ostream_sink_st>(text);
         auto logger = std::make_shared<spdlog::logger>("test", std::move(sink));
-        logger->set_pattern("%v");
+        logger->set_formatter(std::make_unique<spdlog::pattern_formatter>(
+            "%v", spdlog::pattern_time_type::local, "\n"
+        ));
         spdlog::set_default_logger(std::move(logger));
         act();
         spdlog::set_default_logger(before);
