@@ -13,7 +13,7 @@ import desktop
 class Daemon:
     """Started with a profile of its own; `config` is config.json as a dict or as text."""
 
-    def __init__(self, desk, exe, config, scripts=(), arguments=()):
+    def __init__(self, desk, exe, config, scripts=(), arguments=(), state=None):
         self.desk, self.exe = desk, exe
         number = len(list(desk.folder.glob("profile-*")))
         self.profile = desk.folder / f"profile-{number}"
@@ -21,6 +21,8 @@ class Daemon:
         for name, text in dict(scripts).items():
             (self.profile / "scripts" / name).write_text(text)
         self.write_config(config)
+        if state:
+            (self.profile / "state.json").write_text(json.dumps(state))
         self.trace_file = desk.folder / f"trace-{number}.csv"
         self.statistics_file = desk.folder / f"statistics-{number}.jsonl"
         self.program = desk.start(
