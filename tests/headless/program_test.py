@@ -33,7 +33,7 @@ class Program(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertRegex(done.stdout, r"3 pets \(0 moving, 3 asleep\) after 5 s: \d+ frames shown")
         self.assertRegex(done.stdout, r"event_driven: [\d.]+ contacts a second, energy [\d.e+]+ px\^2/s\^2, \d+ ns")
-        rows = list(csv.DictReader(trace.open()))
+        rows = list(csv.DictReader(trace.read_text().splitlines()))
         self.assertGreater(len(rows), 200)
         self.assertTrue(all(-640 <= float(row["x"]) <= 800 for row in rows))
         self.assertEqual(rows[-1]["motion"], "settled")
@@ -112,7 +112,8 @@ class Program(unittest.TestCase):
     def test_what_scripts_keep_at_the_end_is_written(self):
         script = self.folder / "last.lua"
         script.write_text("hyrax.on('unload', function(why) hyrax.store.set('why', why) end)")
-        for process in ([], ["--script-process"]):
+        # A sanitizer does not fit into the cage.
+        for process in ([],) if "HYRAX_SANITIZED" in os.environ else ([], ["--script-process"]):
             state = self.folder / f"state{len(process)}"
             done = run(*process, "--script", script, "--seconds", 1, "--state", state)
             self.assertEqual(done.returncode, 0, done.stderr)
@@ -145,7 +146,7 @@ class Program(unittest.TestCase):
         windows.write_text("# one window\n0,7,400,600,500,300\n")
         done = run("--config", config, "--windows", windows, "--seconds", 8, "--trace", trace)
         self.assertEqual(done.returncode, 0, done.stderr)
-        last = list(csv.DictReader(trace.open()))[-1]
+        last = list(csv.DictReader(trace.read_text().splitlines()))[-1]
         self.assertEqual((float(last["x"]), last["motion"]), (500, "settled"))
         self.assertLess(float(last["y"]), 600)
         windows.write_text("0,7,400,600,500\n")
