@@ -38,34 +38,6 @@ class OnThreeMonitors(unittest.TestCase):
         self.addCleanup(daemon.end)
         return daemon
 
-    def throw(self, daemon):
-        """Throws the pet to the upper left; its place before, and its row as the hand let go and one later."""
-        (pet,) = daemon.wait_for_rest()
-        begin = len(daemon.rows())
-        grip = (pet["x"] + FUR[0], pet["y"] + FUR[1])
-        # Long enough for a busy machine to see the hand on its way.
-        self.desk.drag([(grip[0] - 12 * i, grip[1] - 16 * i) for i in range(21)], seconds=0.5)
-        desktop.wait_for(lambda: any(row["motion"] == "held" for row in daemon.rows()[begin:]), 10, "the grab")
-        daemon.wait_for_pets(lambda pets: pets and pets[0]["motion"] == "airborne", 10, "the throw")
-        rows = daemon.rows()
-        held = max(i for i, row in enumerate(rows) if row["motion"] == "held")
-        return pet, rows[held], rows[held + 1]
-
-    def test_a_pet_is_grabbed_thrown_and_flies_the_way_the_hand_moved(self):
-        daemon = self.daemon(start(-600, 400))
-        (pet,) = daemon.wait_for_rest()
-        self.assertEqual((pet["x"], pet["y"]), (-600, 648 - BOX[1]))
-        # Where the program is kept waiting, all moves of the hand come as one: then it was no throw.
-        for _ in range(4):
-            pet, held, first = self.throw(daemon)
-            if first["vy"] < -40:
-                break
-        self.assertAlmostEqual(held["x"], pet["x"] - 240, delta=60)
-        self.assertLess(first["vy"], -40)
-        # Three to four, as the hand went.
-        self.assertAlmostEqual(first["vx"] / first["vy"], 0.75, delta=0.35)
-        daemon.wait_for_rest()
-
     def test_a_pet_is_carried_to_another_monitor(self):
         daemon = self.daemon(start(-150, 400))
         (pet,) = daemon.wait_for_rest()

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: MIT
+"""A pet is thrown by real X events and flies the way the hand moved.
+
+Usage: test_throw.py hyrax.exe
+
+Alone on the machine: where hyrax.exe or the hand is kept waiting, all moves come as one, and that is
+no throw.
+"""
+
+import sys
+import unittest
+from pathlib import Path
+
+import desktop
+from daemon import Daemon
+
+EXE = None
+
+# The second one lies left of and above the primary, the third one is smaller.
+MONITORS = [(1280, 720, 0, 0), (1024, 768, -1024, -120), (800, 600, 1280, 200)]
+
+# The shipped sprite's box and, within it, a place that is fur in every pose.
+BOX = (108, 92)
+FUR = (50, 70)
+
+
+class OnThreeMonitors(unittest.TestCase):
+    def test_a_pet_is_grabbed_thrown_and_flies_the_way_the_hand_moved(self):
+        desk = self.enterContext(desktop.VirtualDesktop(MONITORS, wallpaper="#204060"))
+        daemon = Daemon(desk, EXE, {"pets": {"start": [{"x": -600, "y": 400}], "drowsy_after": 60}})
+        self.addCleanup(daemon.end)
+        (pet,) = daemon.wait_for_rest()
+        self.assertEqual((pet["x"], pet["y"]), (-600, 648 - BOX[1]))
+        grip = (pet["x"] + FUR[0], pet["y"] + FUR[1])
+        desk.drag([(grip[0] - 12 * i, grip[1] - 16 * i) for i in range(21)], seconds=0.5)
+        daemon.wait_for_pets(lambda pets: pets and pets[0]["motion"] == "airborne", 10, "the throw")
+        rows = daemon.rows()
+        last_held = max(i for i, row in enumerate(rows) if row["motion"] == "held")
+        self.assertAlmostEqual(rows[last_held]["x"], pet["x"] - 240, delta=60)
+        first = rows[last_held + 1]
+        self.assertLess(first["vy"], -200)
+        # Three to four, as the hand went.
+        self.assertAlmostEqual(first["vx"] / first["vy"], 0.75, delta=0.35)
+        daemon.wait_for_rest()
+
+
+if __name__ == "__main__":
+    EXE = Path(sys.argv[1]).resolve()
+    unittest.main(argv=sys.argv[:1], verbosity=2)
