@@ -72,7 +72,6 @@ def main():
         check=True,
     )
     with desktop.VirtualDesktop([(width, height, 0, 0)], wallpaper=str(wallpaper), click_through=False) as desk:
-        empty = desk.screenshot()
         wait_for_the_hour()
         daemon = Daemon(desk, exe, CONFIG, state=GRANTED)
         daemon.wait_for_pets(lambda pets: len(pets) >= 6, 60, "the plugins' pets")
@@ -80,7 +79,7 @@ def main():
             desk.hide(window)
         player = Player(desk, daemon)
         player.start()
-        names = show.film(desk, SECONDS, frames, empty)
+        names = show.film(desk, SECONDS, frames)
         player.done.set()
         player.join()
         print(daemon.log_text())

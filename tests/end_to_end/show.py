@@ -11,13 +11,14 @@ import shutil
 import subprocess
 import sys
 import time
+import zlib
 from pathlib import Path
 
 import desktop
 import wine
 
 SIZE = (1280, 720)
-BEST = 0.4  # of the time: most are in the air then
+BEST = (0.4, 0.55)  # of the time: most are in the air then
 FRAMES_A_SECOND = 12
 GIF_LIMIT = 4 << 20
 GIF_WIDTHS = (800, 640, 480)  # the widest that stays below the limit
@@ -33,23 +34,24 @@ def make_profile(folder):
     return folder
 
 
-def film(desk, seconds, folder, empty):
+def film(desk, seconds, folder):
     """Grabs the screen until the time is over; the names of the frames, in order.
 
-    A window that Wine resizes is empty for one picture: `empty` is no screenshot of pets."""
-    names, begin, best = [], time.monotonic(), None
+    A window that Wine resizes is empty for one picture: the screenshot is the richest of several."""
+    names, begin, best, most = [], time.monotonic(), None, 0
     while (now := time.monotonic() - begin) < seconds:
         picture = desk.screenshot()
         name = folder / f"{len(names):05}.ppm"
         name.write_bytes(b"P6 %d %d 255\n" % (picture.width, picture.height) + picture.rgb)
         names.append(name)
-        if not best and now >= BEST * seconds and picture.rgb != empty.rgb:
-            best = picture.write_png(folder.parent / "screenshot.png", level=1)
+        if BEST[0] * seconds <= now <= BEST[1] * seconds and (richness := len(zlib.compress(picture.rgb, 1))) > most:
+            best, most = picture, richness
         time.sleep(max(0.0, len(names) / FRAMES_A_SECOND - (time.monotonic() - begin)))
         if sys.stdout.isatty():
             print(f"\r  filming: {now:4.1f} of {seconds:g} s", end="", flush=True)
     if sys.stdout.isatty():
         print()
+    best.write_png(folder.parent / "screenshot.png", level=1)
     return names
 
 
@@ -104,7 +106,7 @@ def main():
         for window in desk.windows("explorer.exe"):
             desk.hide(window)
         before = sum(thread.cpu for thread in program.threads())
-        frames = film(desk, seconds, frames_folder, empty)
+        frames = film(desk, seconds, frames_folder)
         cpu = sum(thread.cpu for thread in program.threads()) - before
         # A second start hands its option to the first one, which then has time to say good-bye.
         desk.start(exe, "--profile", wine.windows_path(profile), "--quit").wait(30)
