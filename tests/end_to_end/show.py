@@ -44,6 +44,8 @@ def film(desk, seconds, folder):
         name = folder / f"{len(names):05}.ppm"
         name.write_bytes(b"P6 %d %d 255\n" % (picture.width, picture.height) + picture.rgb)
         names.append(name)
+        if not best:
+            best = picture
         if BEST[0] * seconds <= now <= BEST[1] * seconds and (richness := len(zlib.compress(picture.rgb, 1))) > most:
             best, most = picture, richness
         time.sleep(max(0.0, len(names) / FRAMES_A_SECOND - (time.monotonic() - begin)))
