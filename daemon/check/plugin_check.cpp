@@ -3,7 +3,7 @@
 
 #include "daemon/check/check_run.h"
 #include "daemon/core/files.h"
-#include "daemon/core/plugin.h"
+#include "daemon/core/plugins.h"
 #include "daemon/core/profile.h"
 #include "daemon/core/sprite_set.h"
 #include "daemon/core/stage.h"
@@ -29,21 +29,6 @@ void add_lines(std::vector<std::string>& list, std::string_view text) {
     }
 }
 
-ScriptSource source_of(const Plugin& plugin) {
-    ScriptSource source{
-        .name = plugin.id,
-        .text = plugin.text,
-        .version = plugin.version,
-        .file = plugin.entry,
-        .modules = plugin.modules,
-        .permissions = plugin.permissions,
-    };
-    for (const PluginSetting& setting : plugin.settings) {
-        set_field(source.config, setting.key, setting.default_value);
-    }
-    return source;
-}
-
 // Those that everybody has, and its own.
 std::vector<Kind> kinds_for(
     const Plugin& plugin, const fs::path& shipped, const ImageDecoder& decode, PluginReport& report
@@ -53,14 +38,11 @@ std::vector<Kind> kinds_for(
     };
     std::vector<SpriteSet> sets = load_kinds(profile, decode).sets;
     for (const PluginKind& kind : plugin.kinds) {
-        const fs::path file = plugin.folder / path_from_utf8(kind.file);
-        Result<SpriteSet> set = load_sprite_set(file.parent_path(), decode);
-        if (!set) {
+        if (Result<SpriteSet> set = load_plugin_kind(plugin, kind, decode)) {
+            sets.push_back(*std::move(set));
+        } else {
             add_lines(report.errors, set.error().message);
-            continue;
         }
-        set->name = plugin.id + "/" + kind.name;
-        sets.push_back(*std::move(set));
     }
     return kinds_of(sets);
 }
@@ -131,7 +113,8 @@ PluginReport check_plugin(
     if (!report.good()) {
         return report;
     }
-    const ScriptSource source = source_of(*plugin);
+    // Nothing is chosen: the defaults hold, and none of them can be wrong.
+    const ScriptSource source = source_of(*plugin, {}, report.errors);
     tell(*plugin, run_script(source, kinds, minute), report);
     if (report.good()) {
         run_cases(source, *plugin, kinds, report);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/control/archive.h"
 
+#include "daemon/core/ascii.h"
 #include "daemon/core/file_name.h"
 #include "daemon/core/files.h"
 #include "daemon/core/plugin.h"
@@ -38,9 +39,7 @@ bool is_plain_part(std::string_view part) {
 
 std::string folded(std::string_view name) {
     std::string small(name);
-    for (char& letter : small) {
-        letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-    }
+    std::ranges::transform(small, small.begin(), lower_ascii);
     return small;
 }
 

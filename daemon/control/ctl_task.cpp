@@ -17,8 +17,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-constexpr std::size_t longest_script = std::size_t{1} << 20U;
-
 // --- run -------------------------------------------------------------------------------------
 
 int run_file(const task::RunFile& task, const TaskContext& context) {

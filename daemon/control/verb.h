@@ -109,6 +109,9 @@ std::span<const Verb> config_verbs();
 std::span<const Verb> script_verbs();
 std::span<const Verb> plugin_verbs();
 
+/// That `run` takes [bytes].
+inline constexpr std::size_t longest_script = std::size_t{1} << 20U;
+
 /// The names of what can be watched, in the order of EventKind.
 std::span<const std::string_view> event_names();
 std::string_view side_name(Side side);

@@ -13,14 +13,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-std::string error_of(const Daemon& daemon, const PluginEntry& entry) {
-    if (!entry.problem.empty()) {
-        return entry.problem;
-    }
-    const auto error = daemon.script_errors().find(entry.id);
-    return error == daemon.script_errors().end() ? "" : error->second;
-}
-
 json list_of(const Daemon& daemon) {
     json list = json::array();
     for (const PluginEntry& entry : daemon.plugins()) {
@@ -31,7 +23,7 @@ json list_of(const Daemon& daemon) {
             item["permissions"] = entry.plugin->permissions;
             item["missing"] = entry.missing;
         }
-        item["error"] = error_of(daemon, entry);
+        item["error"] = entry.problem.empty() ? daemon.error_of(entry.id) : entry.problem;
         list.push_back(std::move(item));
     }
     return json{{"plugins", std::move(list)}};

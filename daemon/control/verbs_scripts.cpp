@@ -63,9 +63,8 @@ Outcome wait_for(
 
 // The script has been loaded by now, or has failed.
 Outcome loaded(const Daemon& daemon, const std::string& script, const Evaluated& evaluated) {
-    const auto error = daemon.script_errors().find(script);
-    if (error != daemon.script_errors().end()) {
-        return std::unexpected(Refusal{std::string(script_error), error->second});
+    if (std::string error = daemon.error_of(script); !error.empty()) {
+        return std::unexpected(Refusal{std::string(script_error), std::move(error)});
     }
     if (!evaluated.good) {
         return std::unexpected(Refusal{std::string(script_error), evaluated.text});
@@ -128,8 +127,6 @@ Outcome restart(VerbContext& context, const json& arguments) {
 }
 
 // --- for developers --------------------------------------------------------------------------
-
-constexpr std::size_t longest_script = std::size_t{1} << 20U;
 
 // A message is shorter than a script may be: long ones come in parts.
 Outcome run(VerbContext& context, const json& arguments) {

@@ -93,8 +93,8 @@ public:
     void restart_script(const std::string& script);
     /// The number under which ControlPort::evaluated() hears of it; fails while many wait.
     [[nodiscard]] Result<std::uint64_t> evaluate(const std::string& script, std::string text);
-    /// The latest error of each script.
-    const std::map<std::string, std::string>& script_errors() const { return scripts_.errors(); }
+    /// The latest error of a script or plugin; empty: none.
+    std::string error_of(const std::string& script) const { return scripts_.error_of(script); }
     /// Empty while scripts may run.
     std::string why_scripts_rest() const;
     const std::vector<PluginEntry>& plugins() const { return plugins_; }

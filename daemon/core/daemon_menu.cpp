@@ -32,22 +32,19 @@ MenuState Daemon::menu_state() {
         }
     }
     for (const std::string& name : script_names_) {
-        const auto error = scripts_.errors().find(name);
         state.scripts.push_back({
             .name = name,
             .on = !remembered_.scripts_off.contains(name),
-            .error = error != scripts_.errors().end() ? error->second : "",
+            .error = error_of(name),
         });
     }
     for (const PluginEntry& entry : plugins_) {
-        const auto error = scripts_.errors().find(entry.id);
-        const std::string late = error != scripts_.errors().end() ? error->second : "";
         state.plugins.push_back({
             .id = entry.id,
             .name = entry.plugin ? entry.plugin->name : entry.id,
             .on = entry.state == PluginState::on || entry.state == PluginState::asks,
             .asks = entry.state == PluginState::asks ? entry.missing : std::vector<std::string>{},
-            .error = entry.problem.empty() ? late : entry.problem,
+            .error = entry.problem.empty() ? error_of(entry.id) : entry.problem,
         });
     }
     for (std::size_t i = 0; i < all_monitors_.size(); ++i) {

@@ -14,13 +14,12 @@ std::vector<ScriptStatus> Daemon::script_states() const {
     std::vector<ScriptStatus> states;
     const auto add = [&](const std::string& name) {
         const auto source = std::ranges::find(sources_, name, &ScriptSource::name);
-        const auto error = scripts_.errors().find(name);
         states.push_back({
             .name = name,
             .bytes = source != sources_.end() ? source->text.size() : 0,
             .on = source != sources_.end(),
             .ended = std::ranges::find(ended, name) != ended.end(),
-            .error = error != scripts_.errors().end() ? error->second : std::string(),
+            .error = error_of(name),
         });
     };
     for (const std::string& name : script_names_) {

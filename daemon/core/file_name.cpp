@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/core/file_name.h"
 
+#include "daemon/core/ascii.h"
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -10,7 +12,7 @@ namespace hyrax {
 bool names_device(std::string_view file_name) {
     std::string name;
     for (const char letter : file_name.substr(0, file_name.find('.'))) {
-        name += letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+        name += lower_ascii(letter);
     }
     // Blanks before the dot do not count either.
     name.erase(name.find_last_not_of(' ') + 1);

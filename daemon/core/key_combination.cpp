@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/core/key_combination.h"
 
+#include "daemon/core/ascii.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -58,10 +60,8 @@ std::vector<std::string> parts_of(std::string_view text) {
     for (const char letter : text) {
         if (letter == '+') {
             parts.emplace_back();
-        } else if (letter >= 'A' && letter <= 'Z') {
-            parts.back() += static_cast<char>(letter - 'A' + 'a');
         } else if (letter != ' ') {
-            parts.back() += letter;
+            parts.back() += lower_ascii(letter);
         }
     }
     return parts;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/core/menu.h"
 
+#include "daemon/core/ascii.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,10 +44,6 @@ bool is_ascii_letter_or_digit(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 /// Doubles every & and puts one before the character at `at`, if there is such.
 std::string marked(std::string_view text, std::size_t at) {
     std::string result;
@@ -61,10 +59,10 @@ std::string marked(std::string_view text, std::size_t at) {
 /// Hands out the first letter or digit of each text that is still free.
 class Mnemonics {
 public:
-    void reserve(char key) { taken_ += lower(key); }
+    void reserve(char key) { taken_ += lower_ascii(key); }
     std::string give(std::string_view text) {
         for (std::size_t i = 0; i < text.size(); ++i) {
-            if (is_ascii_letter_or_digit(text[i]) && !taken_.contains(lower(text[i]))) {
+            if (is_ascii_letter_or_digit(text[i]) && !taken_.contains(lower_ascii(text[i]))) {
                 reserve(text[i]);
                 return marked(text, i);
             }

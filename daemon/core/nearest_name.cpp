@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/core/nearest_name.h"
 
+#include "daemon/core/ascii.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
@@ -8,10 +10,6 @@
 
 namespace hyrax {
 namespace {
-
-char small(char letter) {
-    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-}
 
 // Names of one letter are never near each other; names of two may differ in one.
 std::size_t most_edits(std::string_view a, std::string_view b) {
@@ -29,10 +27,10 @@ std::size_t edits(std::string_view a, std::string_view b) {
         above.swap(row);
         row[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            const bool same = small(a[i - 1]) == small(b[j - 1]);
+            const bool same = lower_ascii(a[i - 1]) == lower_ascii(b[j - 1]);
             row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same ? 0U : 1U)});
-            if (i > 1 && j > 1 && small(a[i - 1]) == small(b[j - 2]) &&
-                small(a[i - 2]) == small(b[j - 1])) {
+            if (i > 1 && j > 1 && lower_ascii(a[i - 1]) == lower_ascii(b[j - 2]) &&
+                lower_ascii(a[i - 2]) == lower_ascii(b[j - 1])) {
                 row[j] = std::min(row[j], before[j - 2] + 1);
             }
         }

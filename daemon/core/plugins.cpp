@@ -66,6 +66,14 @@ PluginEntry read_entry(
     return entry;
 }
 
+std::string whole_name(const Plugin& plugin, const PluginKind& kind) {
+    return plugin.id + "/" + kind.name;
+}
+
+fs::path folder_of(const Plugin& plugin, const PluginKind& kind) {
+    return (plugin.folder / path_from_utf8(kind.file)).parent_path();
+}
+
 std::string shown(const ScriptValue& value) {
     const auto text = [](const auto& held) -> std::string {
         using Held = std::remove_cvref_t<decltype(held)>;
@@ -200,6 +208,16 @@ void judge(
     }
 }
 
+Result<SpriteSet> load_plugin_kind(
+    const Plugin& plugin, const PluginKind& kind, const ImageDecoder& decode
+) {
+    Result<SpriteSet> set = load_sprite_set(folder_of(plugin, kind), decode);
+    if (set) {
+        set->name = whole_name(plugin, kind);
+    }
+    return set;
+}
+
 ScriptSource source_of(
     const Plugin& plugin, const PluginChoice& choice, std::vector<std::string>& problems
 ) {
@@ -264,15 +282,13 @@ void add_plugin_kinds(
             continue;
         }
         for (const PluginKind& kind : entry.plugin->kinds) {
-            const std::string name = entry.id + "/" + kind.name;
-            const fs::path file = entry.plugin->folder / path_from_utf8(kind.file);
-            Result<SpriteSet> set = load_sprite_set(file.parent_path(), decode);
+            Result<SpriteSet> set = load_plugin_kind(*entry.plugin, kind, decode);
             if (set) {
-                set->name = name;
                 kinds.sets.push_back(*std::move(set));
                 continue;
             }
             kinds.problems.push_back(set.error().message);
+            const std::string name = whole_name(*entry.plugin, kind);
             const auto old = std::ranges::find(before, name, &SpriteSet::name);
             if (old != before.end()) {
                 kinds.sets.push_back(*old);
@@ -288,11 +304,10 @@ std::string stamp_of_kinds(const std::vector<PluginEntry>& plugins) {
             continue;
         }
         for (const PluginKind& kind : entry.plugin->kinds) {
-            stamp += entry.id + "/" + kind.name;
-            const fs::path file = entry.plugin->folder / path_from_utf8(kind.file);
+            stamp += whole_name(*entry.plugin, kind);
             std::error_code error;
             for (const fs::directory_entry& each :
-                 fs::directory_iterator(file.parent_path(), error)) {
+                 fs::directory_iterator(folder_of(*entry.plugin, kind), error)) {
                 std::error_code unreadable;
                 stamp += fmt::format(
                     " {} {} {}",

@@ -49,6 +49,11 @@ void judge(
     std::vector<PluginEntry>& plugins, const PluginChoices& choices, const Remembered& remembered
 );
 
+/// One of the plugin's sets, named "<id>/<kind>".
+[[nodiscard]] Result<SpriteSet> load_plugin_kind(
+    const Plugin& plugin, const PluginKind& kind, const ImageDecoder& decode
+);
+
 /// The script of a plugin that can be read, without its store. Settings that the plugin does not
 /// know, or that do not fit, are told in `problems`; then the default holds.
 ScriptSource source_of(
@@ -64,7 +69,7 @@ std::vector<std::string> problems_of(
 /// asks, joined; empty: none.
 std::string asking_text(const std::vector<PluginEntry>& plugins);
 
-/// Appends the sets of plugins that are on, as "<id>/<kind>". One that cannot be read is told, and
+/// Appends the sets of plugins that are on. One that cannot be read is told, and
 /// stays as it is in `before`.
 void add_plugin_kinds(
     LoadedKinds& kinds,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/core/presence.h"
 
+#include "daemon/core/ascii.h"
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -25,12 +27,8 @@ constexpr std::array<std::string_view, 7> shell_classes{
     "MultitaskingViewFrame",
 };
 
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 bool same_name(std::string_view a, std::string_view b) {
-    return std::ranges::equal(a, b, {}, lower, lower);
+    return std::ranges::equal(a, b, {}, lower_ascii, lower_ascii);
 }
 
 bool could_be_in_the_way(const FrontWindow& window) {

@@ -74,6 +74,11 @@ public:
     bool quiet() const { return quiet_; }
     /// The latest error of each script that it has not been replaced since, by its name.
     const std::map<std::string, std::string>& errors() const { return errors_; }
+    /// Of this script; empty: none.
+    std::string error_of(const std::string& script) const {
+        const auto found = errors_.find(script);
+        return found == errors_.end() ? std::string() : found->second;
+    }
     /// When run() has something to do, apart from events.
     Ticks next_wake() const;
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace hyrax {
@@ -82,27 +83,25 @@ std::size_t next_character(std::string_view text, std::size_t from) {
     return end;
 }
 
-// The longest beginning that fits: up to a blank if there is one, else within the word.
+// The longest beginning that fits: up to a blank if there is one, else within the word. To measure
+// is to draw, so few beginnings are.
 std::size_t fitting(
     std::string_view text, const std::function<int(std::string_view)>& width, int most
 ) {
-    std::size_t fits = 0;
-    std::size_t blank = 0;
+    std::vector<std::size_t> ends;
     for (std::size_t end = 0; end < text.size();) {
-        const std::size_t next = next_character(text, end);
-        if (width(text.substr(0, next)) > most) {
-            break;
-        }
-        end = next;
-        fits = end;
-        if (end == text.size() || text[end] == ' ') {
-            blank = end;
-        }
+        end = next_character(text, end);
+        ends.push_back(end);
     }
-    if (fits == text.size()) {
-        return fits;
+    const auto beyond = std::ranges::partition_point(ends, [&](std::size_t end) {
+        return width(text.substr(0, end)) <= most;
+    });
+    if (beyond == ends.end()) {
+        return text.size();
     }
-    return blank > 0 ? blank : std::max(fits, next_character(text, 0));
+    const std::size_t fits = beyond == ends.begin() ? 0 : *std::prev(beyond);
+    const std::size_t blank = text.substr(0, fits + 1).rfind(' ');
+    return blank != std::string_view::npos && blank > 0 ? blank : std::max(fits, ends.front());
 }
 
 std::string_view without_blanks(std::string_view text) {

@@ -18,7 +18,7 @@
 namespace hyrax {
 
 /// Draws a line of UTF-8 in black: premultiplied, as wide as the text and as high as a line. Each
-/// desktop brings its own (GDI+, FreeType).
+/// desktop brings its own (GDI, FreeType).
 using TextPainter = std::function<Result<Image>(std::string_view line)>;
 
 inline constexpr int bubble_text_width = 220;  ///< Lines are wrapped to this [px].

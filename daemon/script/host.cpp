@@ -36,8 +36,7 @@ struct Loaded {
 private:
     bool runs_alike(const ScriptSource& other) const {
         return source.version == other.version && source.permissions == other.permissions &&
-               source.file == other.file && source.testing == other.testing &&
-               source.turn == other.turn;
+               source.file == other.file && source.testing == other.testing;
     }
 };
 

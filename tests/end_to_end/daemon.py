@@ -9,6 +9,10 @@ import time
 
 import desktop
 
+# The shipped sprite's box and, within it, a place that is fur in every pose.
+BOX = (108, 92)
+FUR = (50, 70)
+
 
 class Daemon:
     """Started with a profile of its own; `config` is config.json as a dict or as text."""

@@ -30,6 +30,10 @@ REGISTRY = """[Software\\\\Wine\\\\X11 Driver]
 """
 
 
+# The second one lies left of and above the primary, the third one is smaller.
+THREE_MONITORS = [(1280, 720, 0, 0), (1024, 768, -1024, -120), (800, 600, 1280, 200)]
+
+
 def wait_for(condition, seconds=10.0, what="the condition", step=0.02):
     """The first true value of `condition()`; AssertionError when none comes in time."""
     end = time.monotonic() + seconds

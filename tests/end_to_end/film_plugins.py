@@ -14,10 +14,9 @@ from pathlib import Path
 
 import desktop
 import show
-from daemon import Daemon
+from daemon import FUR, Daemon
 
 SECONDS = 22
-FUR = (50, 70)
 CONFIG = {
     "scripts": {"run": []},
     "pets": {"start": [{"count": 3}], "max": 60},

@@ -10,17 +10,14 @@ import unittest
 from pathlib import Path
 
 import desktop
-from daemon import Daemon
+from daemon import BOX, FUR, Daemon
 
 EXE = PROBE = POST = None
 
-# The second one lies left of and above the primary, the third one is smaller.
-MONITORS = [(1280, 720, 0, 0), (1024, 768, -1024, -120), (800, 600, 1280, 200)]
+MONITORS = desktop.THREE_MONITORS
 WALLPAPER = (0x20, 0x40, 0x60)
 
-# The shipped sprite's box and, within it, a place that is fur in every pose and one that is air.
-BOX = (108, 92)
-FUR = (50, 70)
+# A place in the sprite's box that is air in every pose.
 AIR = (3, 3)
 
 

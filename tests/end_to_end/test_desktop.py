@@ -14,7 +14,7 @@ import wine
 PROBE = None
 
 # Sizes and offsets that no mix-up of axes or signs would survive.
-MONITORS = [(1280, 720, 0, 0), (1024, 768, -1024, -120), (800, 600, 1280, 200)]
+MONITORS = desktop.THREE_MONITORS
 
 
 class ThreeMonitors(unittest.TestCase):

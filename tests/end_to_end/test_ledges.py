@@ -10,15 +10,11 @@ import unittest
 from pathlib import Path
 
 import desktop
-from daemon import Daemon
+from daemon import BOX, FUR, Daemon
 
 EXE = PROBE = PICTURES = None
 
 WALLPAPER = (0x20, 0x40, 0x60)
-
-# The shipped sprite's box and a place in it that is fur in every pose.
-BOX = (108, 92)
-FUR = (50, 70)
 
 
 class OnWindows(unittest.TestCase):

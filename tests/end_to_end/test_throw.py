@@ -12,16 +12,11 @@ import unittest
 from pathlib import Path
 
 import desktop
-from daemon import Daemon
+from daemon import BOX, FUR, Daemon
 
 EXE = None
 
-# The second one lies left of and above the primary, the third one is smaller.
-MONITORS = [(1280, 720, 0, 0), (1024, 768, -1024, -120), (800, 600, 1280, 200)]
-
-# The shipped sprite's box and, within it, a place that is fur in every pose.
-BOX = (108, 92)
-FUR = (50, 70)
+MONITORS = desktop.THREE_MONITORS
 
 
 class OnThreeMonitors(unittest.TestCase):

@@ -12,14 +12,12 @@ import unittest
 from pathlib import Path
 
 import desktop
-from daemon import Daemon
+from daemon import FUR, Daemon
 
 EXE = PICTURE = None
 OPENINGS = 50  # the long form of the soak takes 1000
 
 MONITORS = [(1280, 720, 0, 0), (800, 600, 1280, 0)]
-BOX = (108, 92)
-FUR = (50, 70)  # fur in every pose
 FLOATING = {"physics": {"gravity": 0, "air_drag": 1}}
 
 
