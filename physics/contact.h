@@ -45,16 +45,12 @@ struct Contact {
 /// Where free motion, without any contact, leads after `t` [s].
 inline BodyState free_motion(const BodyState& state, const Law& law, double t) {
     BodyState moved = state;
-    if (state.mode == Mode::air && law.drag == 0.0) {
-        moved.position.x += state.velocity.x * t;
-        moved.position.y += t * (state.velocity.y + 0.5 * law.gravity * t);
-        moved.velocity.y += law.gravity * t;
-    } else if (state.mode == Mode::air) {
-        const PhiFunctions phi = phi_functions(-law.drag * t);
-        moved.position.x += state.velocity.x * t * phi.phi1;
-        moved.position.y += t * (state.velocity.y * phi.phi1 + law.gravity * t * phi.phi2);
-        moved.velocity.x *= phi.exp;
-        moved.velocity.y = state.velocity.y * phi.exp + law.gravity * t * phi.phi1;
+    if (state.mode == Mode::air) {
+        const Flight flight(law.drag, t);
+        const AxisState x = flight.from(state.velocity.x, 0.0);
+        const AxisState y = flight.from(state.velocity.y, law.gravity);
+        moved.position = state.position + Vec2{x.offset, y.offset};
+        moved.velocity = {x.velocity, y.velocity};
     } else if (state.mode == Mode::ground) {
         const AxisState x = glide(state.velocity.x, law.ground_drag, t);
         moved.position.x += x.offset;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One axis of a motion with linear drag and a constant force, in closed form.
+// A motion with linear drag and a constant force, in closed form, axis by axis.
 #pragma once
 
 #include "physics/phi.h"
@@ -11,24 +11,46 @@ struct AxisState {
     double velocity = 0.0;  ///< [px/s]
 };
 
-/// After `t` >= 0 [s] of v' = force - drag v from `velocity`; drag [1/s], force [px/s^2].
-inline AxisState fly(double velocity, double force, double drag, double t) {
-    if (drag == 0.0) {
-        return {t * (velocity + 0.5 * force * t), velocity + force * t};
+/// v' = force - drag v over a span of time, for as many axes as there are.
+class Flight {
+public:
+    /// `drag` >= 0 [1/s]; `t` >= 0 [s].
+    Flight(double drag, double t) : t_(t), decay_(drag * t) {
+        if (decay_ > 0.0) {
+            phi_ = phi_functions(-decay_);
+        }
     }
-    const PhiFunctions phi = phi_functions(-drag * t);
-    return {
-        t * (velocity * phi.phi1 + force * t * phi.phi2), velocity * phi.exp + force * t * phi.phi1
-    };
+
+    /// The end of the span from `velocity`; force [px/s^2].
+    AxisState from(double velocity, double force) const {
+        if (decay_ < slight_decay) {
+            // As a change to what was there before: a small one is rounded less than a product.
+            const double change = t_ * force - decay_ * velocity;
+            return {t_ * (velocity + change * phi_.phi2), velocity + change * phi_.phi1};
+        }
+        return {
+            t_ * (velocity * phi_.phi1 + force * t_ * phi_.phi2),
+            velocity * phi_.exp + force * t_ * phi_.phi1
+        };
+    }
+
+private:
+    // What is left of a strong decay would be a small difference of large terms.
+    static constexpr double slight_decay = 0.25;
+
+    double t_;
+    double decay_;
+    PhiFunctions phi_;
+};
+
+/// Flight for a single axis.
+inline AxisState fly(double velocity, double force, double drag, double t) {
+    return Flight(drag, t).from(velocity, force);
 }
 
 /// The same without a force.
 inline AxisState glide(double velocity, double drag, double t) {
-    if (drag == 0.0) {
-        return {velocity * t, velocity};
-    }
-    const PhiFunctions phi = phi_functions(-drag * t);
-    return {velocity * t * phi.phi1, velocity * phi.exp};
+    return Flight(drag, t).from(velocity, 0.0);
 }
 
 }  // namespace hyrax

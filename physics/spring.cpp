@@ -42,13 +42,8 @@ SpringMatrix overdamped(double w, double zeta, double t) {
     return {slow_decay + slow * s, s, -(w * s) * w, fast_decay - slow * s};
 }
 
-// Unsigned, so that no pair of moments overflows.
-std::uint64_t ticks_between(Ticks from, Ticks to) {
-    return to <= from ? 0 : static_cast<std::uint64_t>(to) - static_cast<std::uint64_t>(from);
-}
-
 double seconds_between(Ticks from, Ticks to) {
-    return static_cast<double>(ticks_between(from, to)) / static_cast<double>(ticks_per_second);
+    return to_seconds(span_between(from, to));
 }
 
 Ticks later(Ticks time, Ticks span) {
@@ -88,7 +83,8 @@ bool Spring::grab(const SpringBody& body, Vec2 target, Ticks time) {
     }
     hold_ = {time, target, {}, body.position - target, body.velocity};
     glide_ = hold_;
-    interval_ = min_glide;
+    intervals_ = {};
+    passed_ = 0;
     return true;
 }
 
@@ -103,7 +99,7 @@ Spring::Leg Spring::moved(const Leg& leg, const SpringMatrix& matrix, Ticks to) 
 }
 
 const SpringMatrix& Spring::sample_matrix(Ticks from, Ticks to) {
-    if (const std::uint64_t span = ticks_between(from, to); span != span_) {
+    if (const Ticks span = span_between(from, to); span != span_) {
         span_ = span;
         matrix_ = propagator(constants_, seconds_between(from, to));
     }
@@ -118,16 +114,17 @@ bool Spring::follow(Vec2 target, Ticks time) {
     if (!acceptable(target) || time < glide_.start) {
         return false;
     }
-    const std::uint64_t since = ticks_between(glide_.start, time);
-    const Ticks interval = since < static_cast<std::uint64_t>(max_glide)
-                               ? std::max(static_cast<Ticks>(since), min_glide)
-                               : max_glide;
+    if (const Ticks silence = span_between(glide_.start, time); silence <= longest_interval) {
+        intervals_ = {silence, intervals_[0]};
+    }
+    const Ticks interval = std::clamp(longer_interval(), min_glide, max_glide);
     const Leg& old = leg_at(time);
     const Leg before = old.start == time ? old : moved(old, sample_matrix(old.start, time), time);
     // Of two samples in quick succession, the second must not outrun the first.
-    const Ticks arrival = std::max(hold_.start, later(time, std::max(interval, interval_)));
+    const Ticks arrival = std::max(hold_.start, later(time, interval));
 
-    interval_ = interval;
+    past_[passed_ % past_.size()] = {glide_, hold_};
+    ++passed_;
     glide_ = before;
     const double duration = seconds_between(time, arrival);
     glide_.slope = duration > 0.0 ? (target - before.target) * (1.0 / duration) : Vec2{};
@@ -140,9 +137,7 @@ bool Spring::follow(Vec2 target, Ticks time) {
 }
 
 SpringBody Spring::at(Ticks time) const {
-    const Leg& leg = leg_at(time);
-    const Leg now = moved(leg, propagator(constants_, seconds_between(leg.start, time)), time);
-    return {now.target + now.offset, now.slope + now.rate};
+    return on(leg_at(time), time);
 }
 
 Vec2 Spring::target(Ticks time) const {
@@ -150,8 +145,41 @@ Vec2 Spring::target(Ticks time) const {
     return leg.target + leg.slope * seconds_between(leg.start, time);
 }
 
+SpringBody Spring::on(const Leg& leg, Ticks time) const {
+    const Leg now = moved(leg, propagator(constants_, seconds_between(leg.start, time)), time);
+    return {now.target + now.offset, now.slope + now.rate};
+}
+
+// Exact as at() is, but as far back as past_ goes.
+Vec2 Spring::place(Ticks time) const {
+    if (time >= glide_.start) {
+        return at(time).position;
+    }
+    const std::size_t oldest = passed_ - std::min(passed_, past_.size());
+    std::size_t i = passed_;
+    do {
+        --i;
+    } while (i > oldest && past_[i % past_.size()].glide.start > time);
+    const Segment& then = past_[i % past_.size()];
+    return on(time < then.hold.start ? then.glide : then.hold, time).position;
+}
+
+// Under a pointer that is heard of seldom the target goes by jerks, and the body after it: only
+// over a whole interval its mean velocity is the hand's.
+Vec2 Spring::mean_velocity(Ticks time) const {
+    const Ticks window = std::max(longer_interval(), shortest_window);
+    Ticks first = glide_.start;
+    if (passed_ > 0) {
+        first = past_[(passed_ - std::min(passed_, past_.size())) % past_.size()].glide.start;
+    }
+    const Ticks start = span_between(first, time) > window ? time - window : first;
+    const SpringBody now = at(time);
+    const double span = seconds_between(start, time);
+    return span > 0.0 ? (now.position - place(start)) * (1.0 / span) : now.velocity;
+}
+
 Vec2 Spring::release_velocity(Ticks time, double max_speed) const {
-    Vec2 velocity = at(time).velocity;
+    Vec2 velocity = mean_velocity(time);
     if (time >= hold_.start) {
         velocity.x = velocity.x * glide_.slope.x < 0.0 ? 0.0 : velocity.x;
         velocity.y = velocity.y * glide_.slope.y < 0.0 ? 0.0 : velocity.y;

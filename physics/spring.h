@@ -5,7 +5,9 @@
 #include "physics/geometry.h"
 #include "physics/ticks.h"
 
-#include <cstdint>
+#include <algorithm>
+#include <array>
+#include <cstddef>
 
 namespace hyrax {
 
@@ -58,6 +60,10 @@ public:
     /// each taken within these bounds.
     static constexpr Ticks min_glide = ticks_per_ms;
     static constexpr Ticks max_glide = ticks_per_second / 60;
+    /// A longer silence is a pause of the hand, and no interval between samples.
+    static constexpr Ticks longest_interval = 50 * ticks_per_ms;
+    /// A throw is averaged over no less.
+    static constexpr Ticks shortest_window = 4 * ticks_per_ms;
 
     /// Negative and non-finite constants hold the body rigidly on the target.
     explicit Spring(const SpringConstants& constants = {});
@@ -74,9 +80,10 @@ public:
     SpringBody at(Ticks time) const;
     /// The gliding target [px].
     Vec2 target(Ticks time) const;
-    /// What the hand gives the body: its velocity, but nothing against the target's last movement
-    /// once that has ended, which is the spring swinging back. Made not longer than `max_speed`
-    /// [px/s]; zero when that is NaN or < 0.
+    /// What the hand gives the body: its mean velocity over the longer of the last two intervals
+    /// between samples, but nothing against the target's last movement once that has ended, which
+    /// is the spring swinging back. Made not longer than `max_speed` [px/s]; zero when that is NaN
+    /// or < 0.
     Vec2 release_velocity(Ticks time, double max_speed) const;
 
 private:
@@ -89,16 +96,28 @@ private:
         Vec2 rate;    ///< e'
     };
 
+    /// What one sample made of the target's way.
+    struct Segment {
+        Leg glide;
+        Leg hold;
+    };
+
     const Leg& leg_at(Ticks time) const { return time < hold_.start ? glide_ : hold_; }
     static Leg moved(const Leg& leg, const SpringMatrix& matrix, Ticks to);
     const SpringMatrix& sample_matrix(Ticks from, Ticks to);
+    Ticks longer_interval() const { return std::max(intervals_[0], intervals_[1]); }
+    SpringBody on(const Leg& leg, Ticks time) const;
+    Vec2 place(Ticks time) const;
+    Vec2 mean_velocity(Ticks time) const;
 
     SpringConstants constants_;
     Leg glide_;  ///< From the last sample to the moment when the target reaches it.
     Leg hold_;   ///< From then on, the target at rest.
-    Ticks interval_ = min_glide;  ///< Between the last two samples, within the bounds.
-    std::uint64_t span_ = 0;      ///< Of matrix_ [ns]. Samples of one mouse come at one interval.
+    Ticks span_ = 0;              ///< Of matrix_ [ns]. Samples of one mouse come at one interval.
     SpringMatrix matrix_;
+    std::array<Ticks, 2> intervals_{};  ///< Between the last samples, pauses left out.
+    std::array<Segment, 8> past_{};    ///< A ring of those before the current one.
+    std::size_t passed_ = 0;
 };
 
 }  // namespace hyrax

@@ -33,10 +33,9 @@ void Daemon::on(const input::Pressed& pressed) {
 
 void Daemon::on(const input::Moved& moved) {
     const std::optional<PetId> held = hand_.pet();
-    if (!held) {
+    if (!held || !hand_.move(moved.at)) {
         return;
     }
-    hand_.move(moved.at);
     // A script may have removed the pet out of the hand.
     if (!engine_.carry(*held, hand_.carried_to(), moved.time)) {
         hand_.drop();

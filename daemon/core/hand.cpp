@@ -20,10 +20,14 @@ void Hand::take(PetId pet, Vec2 grip, Point at, Ticks time) {
     moved_ = false;
 }
 
-void Hand::move(Point at) {
+bool Hand::move(Point at) {
+    if (at == at_) {
+        return false;
+    }
     at_ = at;
     moved_ = moved_ || std::abs(at.x - taken_at_.x) > click_slop ||
              std::abs(at.y - taken_at_.y) > click_slop;
+    return true;
 }
 
 Vec2 Hand::carried_to() const {

@@ -15,7 +15,8 @@ class Hand {
 public:
     /// `grip` is the pet's position minus the pointer's.
     void take(PetId pet, Vec2 grip, Point at, Ticks time);
-    void move(Point at);
+    /// False if the pointer is where it was: windows that come and go under it make it say so.
+    bool move(Point at);
     void drop() { pet_.reset(); }
 
     std::optional<PetId> pet() const { return pet_; }

@@ -21,20 +21,29 @@ MONITORS = desktop.THREE_MONITORS
 
 class OnThreeMonitors(unittest.TestCase):
     def test_a_pet_is_grabbed_thrown_and_flies_the_way_the_hand_moved(self):
+        self.throw(reports=125)
+
+    def test_a_pointer_that_speaks_seldom_throws_as_well(self):
+        self.throw(reports=40)
+
+    def throw(self, reports):
         desk = self.enterContext(desktop.VirtualDesktop(MONITORS, wallpaper="#204060"))
         daemon = Daemon(desk, EXE, {"pets": {"start": [{"x": -600, "y": 400}], "drowsy_after": 60}})
         self.addCleanup(daemon.end)
         (pet,) = daemon.wait_for_rest()
         self.assertEqual((pet["x"], pet["y"]), (-600, 648 - BOX[1]))
         grip = (pet["x"] + FUR[0], pet["y"] + FUR[1])
-        # As often as a mouse tells where it is.
-        desk.drag([(grip[0] - 3 * i, grip[1] - 4 * i) for i in range(61)], seconds=0.48)
+        seconds = 0.48
+        steps = round(seconds * reports)
+        way = [(grip[0] - 180 * i // steps, grip[1] - 240 * i // steps) for i in range(steps + 1)]
+        desk.drag(way, seconds=seconds)
         daemon.wait_for_pets(lambda pets: pets and pets[0]["motion"] == "airborne", 10, "the throw")
         rows = daemon.rows()
         last_held = max(i for i, row in enumerate(rows) if row["motion"] == "held")
         self.assertAlmostEqual(rows[last_held]["x"], pet["x"] - 180, delta=60)
         first = rows[last_held + 1]
-        self.assertLess(first["vy"], -200)
+        # The hand moved 500 px/s upwards.
+        self.assertLess(first["vy"], -300)
         # Three to four, as the hand went.
         self.assertAlmostEqual(first["vx"] / first["vy"], 0.75, delta=0.35)
         daemon.wait_for_rest()

@@ -17,6 +17,7 @@ from mpmath import exp, mp, mpf, nstr, sqrt
 mp.dps = 100  # Near-equal roots of zeta = 1 +- 1e-16 cost 16 digits, and a decay of e^-100 some 40.
 NS = 10**9
 MIN_GLIDE, MAX_GLIDE = NS // 1000, NS // 60
+PAUSE = NS // 20
 
 
 def solution(zeta, w, t, e, rate):
@@ -54,7 +55,7 @@ class Held:
         self.x, self.v = mpf(x), mpf(v)
         self.line = (ticks, mpf(c), ticks, mpf(c))  # start, from, arrival, to
         self.time = self.sampled = ticks
-        self.interval = MIN_GLIDE
+        self.intervals = (0, 0)
 
     def advanced(self, ticks):
         """(x, v) at a moment that is not before self.time."""
@@ -75,10 +76,11 @@ class Held:
         self.x, self.v = self.advanced(ticks)
         start, source, arrival, old = self.line
         at = old if ticks >= arrival else source + (old - source) * mpf(ticks - start) / (arrival - start)
-        interval = min(max(ticks - self.sampled, MIN_GLIDE), MAX_GLIDE)
-        self.line = (ticks, at, max(arrival, ticks + max(interval, self.interval)), mpf(goal))
+        if ticks - self.sampled <= PAUSE:
+            self.intervals = (ticks - self.sampled, self.intervals[0])
+        interval = min(max(*self.intervals, MIN_GLIDE), MAX_GLIDE)
+        self.line = (ticks, at, max(arrival, ticks + interval), mpf(goal))
         self.time = self.sampled = ticks
-        self.interval = interval
 
 
 def matrices(rng):

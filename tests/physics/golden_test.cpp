@@ -18,34 +18,10 @@ namespace {
 
 struct Outcome {
     double worst = 0.0;  // [px]
-    int beyond_bound = 0;
     int wrong_counts = 0;
     int wrong_modes = 0;
     int scenes = 0;
 };
-
-// How far one rounding of the launch velocity moves the body: no double-precision solution can be
-// trusted to be nearer than that.
-double sensitivity(const ReferenceScene& scene, Ticks time) {
-    const auto place = [&](Vec2 velocity) {
-        Trajectory body;
-        body.launch(0, scene.position, velocity, scene.law, scene.space);
-        body.advance(time, scene.law, scene.space, [](const TrajectoryEvent&) {});
-        return body.position(time, scene.law, scene.space);
-    };
-    const Vec2 here = place(scene.velocity);
-    double most = 0.0;
-    for (const double direction : {-infinity, infinity}) {
-        const Vec2 v = scene.velocity;
-        for (const Vec2 other :
-             {Vec2{std::nextafter(v.x, direction), v.y}, Vec2{v.x, std::nextafter(v.y, direction)}
-             }) {
-            const Vec2 moved = place(other) - here;
-            most = std::max(most, std::hypot(moved.x, moved.y));
-        }
-    }
-    return most;
-}
 
 void compare(const ReferenceScene& scene, double bound, Outcome& outcome) {
     Trajectory body;
@@ -62,11 +38,7 @@ void compare(const ReferenceScene& scene, double bound, Outcome& outcome) {
         CAPTURE(scene.name);
         CHECK(body.position(sample.time, scene.law, scene.space) == state.position);
         outcome.worst = std::max(outcome.worst, error);
-        // Beyond what the family allows only where the scene itself doubts the last digit.
-        if (error > bound) {
-            ++outcome.beyond_bound;
-            CHECK(error <= 2.0 * sensitivity(scene, sample.time));
-        }
+        CHECK(error <= bound);
         outcome.wrong_counts += events == sample.events ? 0 : 1;
         outcome.wrong_modes += state.mode == sample.mode ? 0 : 1;
     }
@@ -88,7 +60,6 @@ std::map<std::string, Outcome> outcomes_of(
         CAPTURE(family);
         CHECK(outcome.wrong_counts == 0);
         CHECK(outcome.wrong_modes == 0);
-        CHECK(outcome.beyond_bound <= 1);
     }
     return outcomes;
 }
@@ -119,5 +90,7 @@ TEST_CASE("golden: several monitors") {
 }
 
 TEST_CASE("golden: ledges") {
-    CHECK(scenes_in(outcomes_of("ledges.csv", {})) >= 40);
+    // One body slides under a strong friction and then falls for two seconds: half a rounding of
+    // its place becomes ten roundings.
+    CHECK(scenes_in(outcomes_of("ledges.csv", {{"one", 1e-11}})) >= 40);
 }
