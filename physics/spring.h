@@ -111,12 +111,12 @@ private:
     Vec2 mean_velocity(Ticks time) const;
 
     SpringConstants constants_;
-    Leg glide_;  ///< From the last sample to the moment when the target reaches it.
-    Leg hold_;   ///< From then on, the target at rest.
-    Ticks span_ = 0;              ///< Of matrix_ [ns]. Samples of one mouse come at one interval.
+    Leg glide_;       ///< From the last sample to the moment when the target reaches it.
+    Leg hold_;        ///< From then on, the target at rest.
+    Ticks span_ = 0;  ///< Of matrix_ [ns]. Samples of one mouse come at one interval.
     SpringMatrix matrix_;
     std::array<Ticks, 2> intervals_{};  ///< Between the last samples, pauses left out.
-    std::array<Segment, 8> past_{};    ///< A ring of those before the current one.
+    std::array<Segment, 8> past_{};     ///< A ring of those before the current one.
     std::size_t passed_ = 0;
 };
 

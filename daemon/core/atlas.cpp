@@ -20,20 +20,26 @@ CellPicture Atlas::cell(
     const Image& sheet = faces_left ? set.mirrored : set.sheet;
     const Rect source = set.cell_rect(cell);
     if (size == set.cell) {
-        return {&sheet, source};
+        const Rect part = set.visible_in(cell, faces_left);
+        return {
+            &sheet,
+            {source.x + part.x, source.y + part.y, part.width, part.height},
+            {part.x, part.y}
+        };
     }
     const std::size_t place = 2 * static_cast<std::size_t>(cell) + (faces_left ? 1 : 0);
     Scaled& scaled = scale_of(set, set_index, size)[place];
     scaled.frame = frame_;
     if (scaled.image.pixels.empty()) {
         scaled.image = resampled(sheet, source, size, set.filter);
+        scaled.visible = visible_part(scaled.image, {0, 0, size.width, size.height});
         bytes_ += bytes_of(scaled.image);
         ++made_;
         if (bytes_ > limit_) {
             drop_oldest();
         }
     }
-    return {&scaled.image, {0, 0, size.width, size.height}};
+    return {&scaled.image, scaled.visible, {scaled.visible.x, scaled.visible.y}};
 }
 
 void Atlas::clear() {

@@ -13,10 +13,11 @@
 
 namespace hyrax {
 
-/// A cell as it is drawn.
+/// What is visible of a cell, as it is drawn.
 struct CellPicture {
     const Image* image = nullptr;
-    Rect source;  ///< Within the image.
+    Rect source;  ///< Within the image. Without area if there is nothing to see.
+    Point at;     ///< Of the source's top-left corner, within the cell.
 };
 
 /// Each scaled cell is a picture of its own, so that no neighbour can bleed into it. Those that
@@ -48,6 +49,7 @@ public:
 private:
     struct Scaled {
         Image image;
+        Rect visible;
         std::uint64_t frame = 0;  // When it was last shown.
     };
     // Both facings of each cell of a set in one size; empty until shown.

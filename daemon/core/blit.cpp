@@ -66,27 +66,33 @@ void blit(const PixelView& target, const Rect& clip, const Stamp& stamp, Kernel 
 void compose(
     const PixelView& target, Point origin, const Rect& area, const Frame& frame, Kernel kernel
 ) {
-    recompose(target, origin, area, std::span(&area, 1), frame, kernel);
+    recompose(target, origin, std::span(&area, 1), std::span(&area, 1), frame, kernel);
 }
 
 void recompose(
     const PixelView& target,
     Point origin,
-    const Rect& area,
-    std::span<const Rect> drawn,
+    std::span<const Rect> parts,
+    std::span<const Rect> before,
     const Frame& frame,
     Kernel kernel
 ) {
-    const auto local_to_target = [origin](const Rect& rect) {
+    const auto local = [origin](const Rect& rect) {
         return Rect{rect.x - origin.x, rect.y - origin.y, rect.width, rect.height};
     };
-    const Rect local = local_to_target(area);
-    for (const Rect& place : drawn) {
-        erase(target, intersection(local_to_target(place), local));
-    }
-    for (const Sprite& sprite : frame.sprites) {
-        const Point at{sprite.at.x - origin.x, sprite.at.y - origin.y};
-        blit(target, local, {*sprite.image, sprite.source, at, sprite.opacity}, kernel);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const Rect part = local(parts[i]);
+        for (const Rect& place : before) {
+            erase(target, intersection(local(place), part));
+        }
+        // Where parts overlap, the frame stands already, and would be blended with itself.
+        for (const Rect& done : parts.first(i)) {
+            erase(target, intersection(local(done), part));
+        }
+        for (const Sprite& sprite : frame.sprites) {
+            const Point at{sprite.at.x - origin.x, sprite.at.y - origin.y};
+            blit(target, part, {*sprite.image, sprite.source, at, sprite.opacity}, kernel);
+        }
     }
 }
 

@@ -60,13 +60,13 @@ void compose(
     Kernel kernel = best_blit_kernel()
 );
 
-/// The same, where the target shows the frame before: only what `drawn` covers can hold pixels,
-/// namely drawn_places() of both frames.
+/// The same for several parts, which may overlap, of a target that shows an earlier frame: pixels
+/// are erased only at `before`, the places of its sprites.
 void recompose(
     const PixelView& target,
     Point origin,
-    const Rect& area,
-    std::span<const Rect> drawn,
+    std::span<const Rect> parts,
+    std::span<const Rect> before,
     const Frame& frame,
     Kernel kernel = best_blit_kernel()
 );

@@ -47,6 +47,10 @@ struct Image {
     }
 };
 
+/// The smallest rectangle within `part` with all its pixels that are not transparent; without area
+/// if there are none.
+Rect visible_part(const Image& image, const Rect& part);
+
 /// Limits that are checked before anything is decoded.
 inline constexpr std::size_t max_image_file_bytes = 16U << 20U;
 inline constexpr int max_image_side = 8192;

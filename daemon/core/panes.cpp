@@ -254,25 +254,6 @@ std::vector<Rect> changed_places(const Frame& before, const Frame& after) {
     return places;
 }
 
-std::vector<Rect> drawn_places(const Frame& before, const Frame& after) {
-    std::vector<Rect> places = places_of(after);
-    if (!same_cast(before, after)) {
-        const std::vector<Rect> former = places_of(before);
-        places.insert(places.end(), former.begin(), former.end());
-        return places;
-    }
-    for (std::size_t i = 0; i < before.sprites.size(); ++i) {
-        const Rect former = before.sprites[i].bounds();
-        const Rect both = united(former, places[i]);
-        if (both.area() <= former.area() + places[i].area()) {
-            places[i] = both;
-        } else {
-            places.push_back(former);
-        }
-    }
-    return places;
-}
-
 std::vector<Rect> dirty_clusters(
     std::span<const Rect> places, const Rect& area, const PresentCost& cost
 ) {

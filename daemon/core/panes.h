@@ -47,9 +47,6 @@ std::vector<Rect> places_of(const Frame& frame);
 /// The old and the new place of each sprite that differs between two frames.
 std::vector<Rect> changed_places(const Frame& before, const Frame& after);
 
-/// Covers all that either frame draws, with about one rectangle for each sprite.
-std::vector<Rect> drawn_places(const Frame& before, const Frame& after);
-
 /// What presenting in several calls costs on a system.
 struct PresentCost {
     std::size_t most_calls = 8;  ///< > 0

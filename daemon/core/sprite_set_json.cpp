@@ -296,8 +296,8 @@ Result<SpriteSet> load_sprite_set(const fs::path& folder, const ImageDecoder& de
     if (const Result<void> cells = reader.check_cells(columns * rows); !cells) {
         return std::unexpected(cells.error());
     }
-    set->mirrored = mirrored_cells(*sheet, set->cell);
     set->sheet = *std::move(sheet);
+    complete(*set);
     return set;
 }
 

@@ -140,13 +140,16 @@ Staged staged(
         const auto [shown, since] = shown_now(set, pet, scene);
         const Size size = scaled(set.cell, pet.drawn_scale);
         const CellPicture picture = atlas.cell(set, pet.kind, shown.cell, pet.faces_left, size);
-        result.frame.sprites.push_back({
-            .image = picture.image,
-            .source = picture.source,
-            .at = cell_corner(set, pet, engine.box_of(pet), size),
-            .pet = id,
-            .opacity = opacity_of(scene.opacity * pet.opacity),
-        });
+        const Point corner = cell_corner(set, pet, engine.box_of(pet), size);
+        if (!picture.source.empty()) {
+            result.frame.sprites.push_back({
+                .image = picture.image,
+                .source = picture.source,
+                .at = {corner.x + picture.at.x, corner.y + picture.at.y},
+                .pet = id,
+                .opacity = opacity_of(scene.opacity * pet.opacity),
+            });
+        }
         if (shown.until != never && !pet.frozen()) {
             result.next_change = std::min(result.next_change, since + shown.until);
         }

@@ -24,9 +24,9 @@ void MemoryOverlay::present(const Frame& frame, std::span<const Monitor> monitor
     ++counters_.frames;
     plan(frame, monitors, now);
     const std::vector<Rect> changed = changed_places(frame_, frame);
-    const std::vector<Rect> drawn = drawn_places(frame_, frame);
+    const std::vector<Rect> before = places_of(frame_);
     for (const Pane& pane : plan_) {
-        draw(shown_on(pane.monitor), pane.area, {frame, changed, drawn});
+        draw(shown_on(pane.monitor), pane.area, {frame, changed, before});
     }
     frame_ = frame;
 }
@@ -68,10 +68,8 @@ void MemoryOverlay::draw(Shown& shown, const Rect& area, const Change& change) {
     const PixelView view(shown.pixels.data(), area.width, {area.width, area.height});
     const std::vector<Rect> parts =
         anew ? std::vector{area} : dirty_clusters(change.places, area, PresentCost{});
+    recompose(view, {area.x, area.y}, parts, anew ? parts : change.before, change.frame);
     for (const Rect& part : parts) {
-        recompose(
-            view, {area.x, area.y}, part, anew ? std::span(&area, 1) : change.drawn, change.frame
-        );
         count(part);
     }
 }

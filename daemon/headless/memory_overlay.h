@@ -41,7 +41,7 @@ private:
     struct Change {
         const Frame& frame;
         std::span<const Rect> places;
-        std::span<const Rect> drawn;
+        std::span<const Rect> before;
     };
 
     Shown& shown_on(const Rect& monitor);

@@ -38,13 +38,13 @@ void Overlay::present(const Frame& frame, std::span<const Monitor> monitors, Tic
     ++counters_.frames;
     plan(frame, monitors, now);
     const std::vector<Rect> changed = changed_places(frame_, frame);
-    const std::vector<Rect> drawn = drawn_places(frame_, frame);
+    const std::vector<Rect> before = places_of(frame_);
     const int rows = wine_ ? outline_rows(frame.sprites.size()) : 1;
     for (const Pane& pane : plan_) {
         if (PaneWindow* const window = window_on(pane.monitor)) {
             const auto dirty = dirty_clusters(changed, pane.area, cost_on(pane.area, wine_));
             const bool appears = !window->visible();
-            window->show({pane.area, frame, dirty, drawn, renderer_, rows}, counters_);
+            window->show({pane.area, frame, dirty, before, renderer_, rows}, counters_);
             if (appears && hidden_from_capture_) {
                 apply_capture(*window);
             }

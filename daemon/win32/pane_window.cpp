@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cwchar>
 #include <iterator>
+#include <vector>
 
 namespace hyrax::win32 {
 
@@ -23,14 +24,16 @@ constexpr const wchar_t* not_rude = L"NonRudeHWND";
 void render(
     const PixelView& target,
     const PanePicture& picture,
-    const Rect& part,
-    std::span<const Rect> drawn
+    std::span<const Rect> parts,
+    std::span<const Rect> before
 ) {
     const Point origin{picture.area.x, picture.area.y};
-    if (picture.renderer == Renderer::gdiplus) {
+    if (picture.renderer == Renderer::blit) {
+        recompose(target, origin, parts, before, picture.frame);
+        return;
+    }
+    for (const Rect& part : parts) {
         compose_with_gdiplus(target, origin, part, picture.frame);
-    } else {
-        recompose(target, origin, part, drawn, picture.frame);
     }
 }
 
@@ -87,18 +90,21 @@ void PaneWindow::show(const PanePicture& picture, OverlayCounters& counters) {
         }
         area_ = area;
         outline_rows_ = picture.outline_rows;
-        draw(picture, area, {&area, 1});
+        draw(picture, {&area, 1}, {&area, 1});
         complete_ = present(nullptr, counters);
         if (!complete_) {
             renew_layer();
             complete_ = present(nullptr, counters);
         }
     } else {
+        std::vector<Rect> parts;
         for (const Rect& part : picture.dirty) {
-            const Rect bands = whole_bands(part, area, outline_rows_);
-            // A coarse outline leaves pixels beside the sprites.
-            draw(picture, bands, outline_rows_ == 1 ? picture.drawn : std::span(&bands, 1));
-            complete_ = present(&bands, counters) && complete_;
+            parts.push_back(whole_bands(part, area, outline_rows_));
+        }
+        // A coarse outline leaves pixels beside the sprites.
+        draw(picture, parts, outline_rows_ == 1 ? picture.before : parts);
+        for (const Rect& part : parts) {
+            complete_ = present(&part, counters) && complete_;
         }
     }
     if (!visible_ && complete_) {
@@ -107,11 +113,15 @@ void PaneWindow::show(const PanePicture& picture, OverlayCounters& counters) {
     }
 }
 
-void PaneWindow::draw(const PanePicture& picture, const Rect& part, std::span<const Rect> drawn) {
+void PaneWindow::draw(
+    const PanePicture& picture, std::span<const Rect> parts, std::span<const Rect> before
+) {
     const PixelView view = surface_.view({area_.width, area_.height});
-    render(view, picture, part, drawn);
-    const Rect local{part.x - area_.x, part.y - area_.y, part.width, part.height};
-    coarsen_outline(view, local, outline_rows_);
+    render(view, picture, parts, before);
+    for (const Rect& part : parts) {
+        const Rect local{part.x - area_.x, part.y - area_.y, part.width, part.height};
+        coarsen_outline(view, local, outline_rows_);
+    }
 }
 
 bool PaneWindow::show_again(const Rect& area, OverlayCounters& counters) {

@@ -20,7 +20,7 @@ struct PanePicture {
     const Rect& area;  ///< Within the monitor: this part of the frame.
     const Frame& frame;
     std::span<const Rect> dirty;
-    std::span<const Rect> drawn;  ///< drawn_places() since the frame before.
+    std::span<const Rect> before;  ///< Where the sprites of the frame before stand.
     Renderer renderer = Renderer::blit;
     int outline_rows = 1;  ///< Of coarse_outline.h.
 };
@@ -67,7 +67,9 @@ public:
 private:
     explicit PaneWindow(const Rect& monitor) : monitor_(monitor) {}
 
-    void draw(const PanePicture& picture, const Rect& part, std::span<const Rect> drawn);
+    void draw(
+        const PanePicture& picture, std::span<const Rect> parts, std::span<const Rect> before
+    );
     bool present(const Rect* dirty, OverlayCounters& counters);
     void renew_layer();
 

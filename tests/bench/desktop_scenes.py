@@ -21,15 +21,19 @@ SCREEN = (1920, 1080)
 BOX = (108, 92)  # of the shipped sprite
 
 
-def config(pets, moving, fps):
-    """Elastic pets that fly for ever, spread over the screen; or pets that lie on the floor."""
+def config(pets, state, fps):
+    """Elastic pets that fly for ever, spread over the screen (state "flying") or slide to and fro along
+    its lower edge without friction ("floor"); or pets that lie there ("rest")."""
+    moving = state != "rest"
     chance = random.Random(pets)
     start = []
     for _ in range(pets):
         pet = {"x": chance.randint(0, SCREEN[0] - BOX[0]), "y": SCREEN[1] - BOX[1]}
         if moving:
+            pet["vx"] = chance.choice((-1, 1)) * chance.randint(40, 400)
+        if state == "flying":
             pet["y"] = chance.randint(0, SCREEN[1] - BOX[1])
-            pet["vx"], pet["vy"] = chance.randint(-400, 400), chance.randint(-400, 400)
+            pet["vy"] = chance.randint(-400, 400)
         start.append(pet)
     physics = {"restitution": 1, "air_drag": 1, "ground_friction": 1, "rest_threshold": 0} if moving else {}
     return {

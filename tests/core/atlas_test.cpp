@@ -50,7 +50,7 @@ SpriteSet striped_set() {
             set.sheet.at(x, y) = x < 8 ? red : (x < 16 ? Pixel{0} : blue);
         }
     }
-    set.mirrored = mirrored_cells(set.sheet, set.cell);
+    complete(set);
     set.animations["idle"] = {{{0, ticks_per_second}}, true};
     return set;
 }
@@ -130,8 +130,11 @@ TEST_CASE("cells do not bleed into each other") {
         for (const bool left : {false, true}) {
             const auto only = [&](int cell, Pixel colour) {
                 const CellPicture picture = atlas.cell(set, 0, cell, left, size);
-                for (int y = 0; y < size.height; ++y) {
-                    for (int x = 0; x < size.width; ++x) {
+                const Size seen = colour == 0 ? Size{} : size;
+                CHECK(picture.source.width == seen.width);
+                CHECK(picture.source.height == seen.height);
+                for (int y = 0; y < seen.height; ++y) {
+                    for (int x = 0; x < seen.width; ++x) {
                         const int u = picture.source.x + x;
                         const int v = picture.source.y + y;
                         REQUIRE(picture.image->at(u, v) == colour);
@@ -141,6 +144,45 @@ TEST_CASE("cells do not bleed into each other") {
             only(0, red);
             only(1, 0);
             only(2, blue);
+        }
+    }
+}
+
+TEST_CASE("only what is visible of a cell is drawn, and it stands where it stood in the cell") {
+    SpriteSet set = striped_set();
+    const Image ink = noise({24, 8}, 11);
+    // The middle cell's pixels lie in columns 2 to 6 and rows 3 to 4; the others' everywhere.
+    for (int y = 0; y < 8; ++y) {
+        for (int x = 0; x < 24; ++x) {
+            const bool in_middle = x >= 8 && x < 16;
+            const bool is_seen = x >= 10 && x < 15 && y >= 3 && y < 5;
+            set.sheet.at(x, y) = !in_middle || is_seen ? ink.at(x, y) | 0x80000000U : 0;
+        }
+    }
+    complete(set);
+    Atlas atlas;
+    CHECK(set.visible_in(1, false) == Rect{2, 3, 5, 2});
+    CHECK(set.visible_in(1, true) == Rect{1, 3, 5, 2});
+    CHECK(atlas.cell(set, 0, 1, false, {8, 8}).source == Rect{10, 3, 5, 2});
+    for (const Size size : sizes) {
+        for (const bool left : {false, true}) {
+            const CellPicture picture = atlas.cell(set, 0, 1, left, size);
+            const Image& sheet = left ? set.mirrored : set.sheet;
+            const Image whole =
+                size == set.cell ? sheet : resampled(sheet, {8, 0, 8, 8}, size, set.filter);
+            const int first = size == set.cell ? 8 : 0;
+            const Rect seen{
+                picture.at.x, picture.at.y, picture.source.width, picture.source.height
+            };
+            for (int y = 0; y < size.height; ++y) {
+                for (int x = 0; x < size.width; ++x) {
+                    const Pixel expected = whole.at(first + x, y);
+                    const bool is_drawn = seen.contains(Point{x, y});
+                    const int u = picture.source.x + x - seen.x;
+                    const int v = picture.source.y + y - seen.y;
+                    REQUIRE((is_drawn ? picture.image->at(u, v) : Pixel{0}) == expected);
+                }
+            }
         }
     }
 }
@@ -174,7 +216,7 @@ TEST_CASE("the atlas makes each cell once, and none at the sheet's own size") {
 TEST_CASE("a mirrored cell is the mirror image in every size") {
     SpriteSet set = striped_set();
     set.sheet = noise({24, 8}, 5);
-    set.mirrored = mirrored_cells(set.sheet, set.cell);
+    complete(set);
     Atlas atlas;
     for (const Size size : sizes) {
         if (size == set.cell) {

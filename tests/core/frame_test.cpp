@@ -205,11 +205,9 @@ TEST_CASE("redrawing what was drawn equals a full redraw, whoever moves, comes a
                 {&ink, {0, 0, 9, 7}, {below(90) - 45, below(70) - 15}, {number, 1}}
             );
         }
-        const std::vector<Rect> drawn = drawn_places(before, after);
         const PresentCost cost{.most_calls = static_cast<std::size_t>(1 + below(8))};
-        for (const Rect& part : dirty_clusters(changed_places(before, after), whole, cost)) {
-            recompose(PixelView(partly), origin, part, drawn, after);
-        }
+        const auto parts = dirty_clusters(changed_places(before, after), whole, cost);
+        recompose(PixelView(partly), origin, parts, places_of(before), after);
         Image fully(Size{80, 60});
         compose(PixelView(fully), origin, whole, after);
         REQUIRE(partly.pixels == fully.pixels);

@@ -92,7 +92,8 @@ TEST_CASE("throw: a flick out of a pause is not slowed by the pause") {
     CHECK(spring.release_velocity(1034 * ms, no_limit).x < 2300.0);
 }
 
-TEST_CASE("throw: what is let go where it was grabbed keeps what the spring has left of its speed") {
+TEST_CASE("throw: what is let go where it was grabbed keeps what the spring has left of its speed"
+) {
     Spring spring;
     REQUIRE(spring.grab({{5.0, 6.0}, {300.0, 0.0}}, {5.0, 6.0}, 7 * ms));
     CHECK(spring.release_velocity(7 * ms, no_limit) == Vec2{300.0, 0.0});
