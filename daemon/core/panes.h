@@ -27,9 +27,8 @@ struct Pane {
 };
 
 /// One pane for each monitor that shows a part of a sprite, in the order of the monitors; none on
-/// those whose bounds are kept free. A pane
-/// grows at once, with room ahead, and shrinks when it was too large for a second: each change
-/// makes the system build a new surface.
+/// those whose bounds are kept free. A pane grows at once, with room ahead, and shrinks when it was
+/// too large for a second: each change makes the system build a new surface.
 std::vector<Pane> plan_panes(
     std::span<const Monitor> monitors,
     std::span<const Rect> sprites,
