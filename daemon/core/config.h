@@ -11,6 +11,7 @@
 #include "daemon/core/presence.h"
 #include "daemon/core/result.h"
 #include "daemon/core/script_limits.h"
+#include "daemon/core/topmost.h"
 
 #include <filesystem>
 #include <map>
@@ -41,6 +42,7 @@ struct Config {
     PresenceSettings presence{};
     double opacity = 1.0;  ///< Of all pets, least_opacity to 1.
     Renderer renderer = Renderer::blit;
+    Layer layer = Layer::above_taskbar;
     AllowedSettings allowed{};  ///< Where pets may be.
     bool quiet = false;         ///< Until the user says otherwise.
     ScriptLimits limits;

@@ -95,6 +95,15 @@ constexpr std::array overlay_keys{
         renderer_names
     },
     Field<Config>{
+        "/overlay/z",
+        [](Config& c) -> Slot { return Choice(c.layer); },
+        {},
+        "",
+        "Where pets stand among all windows: above them and the taskbar (above_taskbar), above them "
+        "until the taskbar comes forward (top), or below them on the wallpaper (bottom).",
+        layer_names
+    },
+    Field<Config>{
         "/overlay/ledges",
         [](Config& c) -> Slot { return Choice(c.ledges); },
         {},

@@ -41,6 +41,7 @@ void Daemon::choose_conduct(bool moving, bool animated) {
         .hide_from_capture = config_.presence.hide_from_capture,
         .let_go = so.windowless || so.unseen || remembered_.hidden,
         .resting = !moving && !hand_.pet(),
+        .layer = config_.layer,
     };
     if (so.unseen || remembered_.hidden || engine_.size() == 0) {
         conduct.front = Watch::off;

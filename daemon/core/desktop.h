@@ -11,6 +11,7 @@
 #include "daemon/core/menu.h"
 #include "daemon/core/request.h"
 #include "daemon/core/result.h"
+#include "daemon/core/topmost.h"
 #include "daemon/core/wall_time.h"
 #include "physics/ticks.h"
 
@@ -137,6 +138,7 @@ struct Conduct {
     bool hide_from_capture = false;  ///< Screenshots and recordings must not show the pets.
     bool let_go = false;             ///< The pointer must not be kept: windows have to go.
     bool resting = true;             ///< Nothing moves: little of the processor is needed.
+    Layer layer = Layer::above_taskbar;
     bool operator==(const Conduct&) const = default;
 };
 /// Whether a client of the control channel hears more after an answer.

@@ -6,10 +6,18 @@
 #include "daemon/core/frame.h"
 #include "physics/ticks.h"
 
+#include <cstdint>
 #include <deque>
 #include <span>
 
 namespace hyrax {
+
+/// Where the pets stand among all windows.
+enum class Layer : std::uint8_t {
+    above_taskbar,  ///< Above all, and again when the taskbar has gone above them.
+    top,            ///< Above all but what goes above them later, such as the taskbar.
+    bottom,         ///< Below all, on the wallpaper.
+};
 
 /// A part of a sprite lies on a monitor's taskbar, which may go above it at any time.
 bool reaches_taskbars(const Frame& frame, std::span<const Monitor> monitors);

@@ -102,6 +102,9 @@ PaneWindow* Overlay::window_on(const Rect& monitor) {
         spdlog::error("{}", created.error().message);
         return nullptr;
     }
+    if (layer_ == Layer::bottom) {
+        (*created)->take_place(layer_);
+    }
     windows_.push_back(std::move(*created));
     return windows_.back().get();
 }
@@ -140,14 +143,23 @@ bool Overlay::visible() const {
     return std::ranges::any_of(windows_, [](const auto& window) { return window->visible(); });
 }
 
+void Overlay::use_layer(Layer layer) {
+    if (std::exchange(layer_, layer) == layer) {
+        return;
+    }
+    for (const auto& window : windows_) {
+        window->take_place(layer);
+    }
+}
+
 bool Overlay::buried() const {
-    return std::ranges::any_of(windows_, [](const auto& window) { return window->buried(); });
+    return std::ranges::any_of(windows_, [this](const auto& window) { return window->buried(layer_); });
 }
 
 void Overlay::raise() {
     for (const auto& window : windows_) {
         if (window->visible()) {
-            window->raise();
+            window->take_place(layer_);
         }
     }
 }

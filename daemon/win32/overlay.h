@@ -5,6 +5,7 @@
 #include "daemon/core/arena.h"
 #include "daemon/core/frame.h"
 #include "daemon/core/panes.h"
+#include "daemon/core/topmost.h"
 #include "daemon/win32/pane_window.h"
 #include "physics/ticks.h"
 
@@ -32,6 +33,8 @@ public:
     bool capture_refused() const { return capture_refused_; }
 
     bool visible() const;
+    /// Where panes stand among all windows.
+    void use_layer(Layer layer);
     /// Something that should be below lies above a pane.
     bool buried() const;
     void raise();
@@ -63,6 +66,7 @@ private:
     std::vector<Pane> plan_;
     Frame frame_;
     Renderer renderer_ = Renderer::blit;
+    Layer layer_ = Layer::above_taskbar;
     HWND held_ = nullptr;
     bool stale_ = false;    ///< A window must be presented, hidden or removed at once.
     bool undrawn_ = false;  ///< The next present() must draw even an equal frame.

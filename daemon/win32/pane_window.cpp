@@ -204,10 +204,10 @@ bool PaneWindow::exclude_from_capture(bool exclude) {
     return ::SetWindowDisplayAffinity(window(), exclude ? WDA_EXCLUDEFROMCAPTURE : WDA_NONE) != 0;
 }
 
-void PaneWindow::raise() {
+void PaneWindow::take_place(Layer layer) {
     ::SetWindowPos(
         window(),
-        HWND_TOPMOST,
+        layer == Layer::bottom ? HWND_BOTTOM : HWND_TOPMOST,
         0,
         0,
         0,
@@ -216,13 +216,17 @@ void PaneWindow::raise() {
     );
 }
 
-bool PaneWindow::buried() const {
-    if (!visible_) {
+bool PaneWindow::buried(Layer layer) const {
+    if (!visible_ || layer == Layer::bottom) {
         return false;
     }
     if ((::GetWindowLongPtrW(window(), GWL_EXSTYLE) & WS_EX_TOPMOST) == 0) {
         return true;
     }
+    return layer == Layer::above_taskbar && below_taskbar();
+}
+
+bool PaneWindow::below_taskbar() const {
     // Windows come and go meanwhile: the walk has an end in any case.
     constexpr int most_above = 1000;
     HWND above = ::GetWindow(window(), GW_HWNDPREV);

@@ -6,6 +6,7 @@
 #include "daemon/core/frame.h"
 #include "daemon/core/result.h"
 #include "daemon/core/statistics.h"
+#include "daemon/core/topmost.h"
 #include "daemon/win32/message_window.h"
 #include "daemon/win32/surface.h"
 #include "physics/geometry.h"
@@ -54,10 +55,11 @@ public:
     void show_nothing(OverlayCounters& counters);
     /// Leaves the window out of what programs capture of the screen. False: the system refuses.
     bool exclude_from_capture(bool exclude);
-    /// Above all other windows, again.
-    void raise();
-    /// No longer topmost, or below a taskbar that lies where the pane is.
-    bool buried() const;
+    /// Among all windows where the layer has it, now or again.
+    void take_place(Layer layer);
+    /// No longer topmost, or, if it should be above taskbars, below one that lies where the pane is.
+    /// Whoever is to be at the bottom never is.
+    bool buried(Layer layer) const;
     /// The next show() draws everything: the system may have lost what it had.
     void forget_pixels() { complete_ = false; }
 
@@ -67,6 +69,7 @@ public:
 private:
     explicit PaneWindow(const Rect& monitor) : monitor_(monitor) {}
 
+    bool below_taskbar() const;
     void draw(
         const PanePicture& picture, std::span<const Rect> parts, std::span<const Rect> before
     );

@@ -12,6 +12,8 @@ void Win32Desktop::follow(const Conduct& conduct) {
     front_->set(conduct.front, conduct.name_programs, time);
     overlay_.hide_from_capture(conduct.hide_from_capture);
     bubbles_.hide_from_capture(conduct.hide_from_capture);
+    overlay_.use_layer(conduct.layer);
+    bubbles_.use_layer(conduct.layer);
     if (conduct.let_go) {
         pointer_.give_up();
     }
@@ -34,7 +36,8 @@ void Win32Desktop::look_around(Ticks time) {
 }
 
 void Win32Desktop::keep_on_top(Ticks time) {
-    const bool exposed = conduct_.front == Watch::closely && overlay_.visible() &&
+    const bool exposed = conduct_.layer == Layer::above_taskbar &&
+                         conduct_.front == Watch::closely && overlay_.visible() &&
                          reaches_taskbars(overlay_.frame(), screens_.current());
     topmost_.set_exposed(exposed, time);
     if (time < topmost_.due()) {

@@ -31,6 +31,18 @@ TEST_CASE("config: how pets keep out of the way") {
     );
 }
 
+TEST_CASE("config: where pets stand among all windows") {
+    const auto layer = [](const std::string& overlay) {
+        const auto loaded = parse_config("{\"overlay\": {" + overlay + "}}", "config.json");
+        REQUIRE(loaded);
+        return loaded->config.layer;
+    };
+    CHECK(layer("") == Layer::above_taskbar);
+    CHECK(layer(R"("z": "above_taskbar")") == Layer::above_taskbar);
+    CHECK(layer(R"("z": "top")") == Layer::top);
+    CHECK(layer(R"("z": "bottom")") == Layer::bottom);
+}
+
 TEST_CASE("config: a rule names its program, and hide_everywhere is for rules alone") {
     const auto complaint = [](std::string_view overlay) {
         const Result<LoadedConfig> loaded =

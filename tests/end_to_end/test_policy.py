@@ -165,6 +165,27 @@ class OnThreeMonitors(unittest.TestCase):
         self.assertGreater(int(match[1]), 10)
         self.assertEqual(int(match[2]), 0)
 
+    def test_pets_at_the_bottom_are_below_all_windows_until_the_config_lifts_them(self):
+        config = floating({"x": 500, "y": 200, "vy": 60}, z="bottom")
+        front = (300, 100, 600, 400)
+        self.probe("front", *front).wait_for_text("^ready$", 30)
+        daemon = self.daemon(config)
+        daemon.wait_for_pets(lambda pets: len(pets) == 1)
+        desktop.wait_for(lambda: "topmost 0" in self.ask("panes"), 10, "a pane that is not topmost")
+
+        def black_share():
+            # Its frame apart.
+            picture = self.desk.screenshot().crop(front[0] + 20, front[1] + 50, front[2] - 40, front[3] - 80)
+            return picture.count((0, 0, 0)) / (picture.width * picture.height)
+
+        for _ in range(5):
+            self.assertEqual(black_share(), 1.0)
+            time.sleep(0.2)
+        config["overlay"]["z"] = "top"
+        daemon.write_config(config)
+        desktop.wait_for(lambda: "topmost 1" in self.ask("panes"), 10, "a topmost pane")
+        desktop.wait_for(lambda: black_share() < 1.0, 10, "the pet above the window")
+
     def test_a_change_of_scale_moves_no_pane(self):
         daemon = self.daemon({"pets": {"start": [{"x": 500, "y": 600}], "drowsy_after": 60}})
         daemon.wait_for_rest()

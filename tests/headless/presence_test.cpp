@@ -236,6 +236,17 @@ TEST_CASE("a refused exclusion from captures is told") {
     CHECK(recorded.desktop.statuses().back().problem.contains("hide_from_capture"));
 }
 
+TEST_CASE("where pets stand among all windows is told to the desktop, and told anew") {
+    RecordedDaemon recorded(2.0);
+    recorded.config(R"({"overlay": {"z": "bottom"}})");
+    recorded.look(0.5, [&](const Daemon&) {
+        CHECK(recorded.desktop.conduct().layer == Layer::bottom);
+    });
+    recorded.change_file(1.0, "config.json", R"({"overlay": {"z": "top"}})");
+    recorded.run();
+    CHECK(recorded.desktop.conduct().layer == Layer::top);
+}
+
 TEST_CASE("sleep is told late, when it is over, and costs the pets no time") {
     RecordedDaemon recorded(1002.0);
     recorded.config(R"({"pets": {"start": [{"x": 300, "y": 0, "vx": 50}]},
