@@ -99,7 +99,8 @@ constexpr std::array overlay_keys{
         [](Config& c) -> Slot { return Choice(c.layer); },
         {},
         "",
-        "Where pets stand among all windows: above them and the taskbar (above_taskbar), above them "
+        "Where pets stand among all windows: above them and the taskbar (above_taskbar), above "
+        "them "
         "until the taskbar comes forward (top), or below them on the wallpaper (bottom).",
         layer_names
     },

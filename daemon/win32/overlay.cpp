@@ -153,7 +153,9 @@ void Overlay::use_layer(Layer layer) {
 }
 
 bool Overlay::buried() const {
-    return std::ranges::any_of(windows_, [this](const auto& window) { return window->buried(layer_); });
+    return std::ranges::any_of(windows_, [this](const auto& window) {
+        return window->buried(layer_);
+    });
 }
 
 void Overlay::raise() {
