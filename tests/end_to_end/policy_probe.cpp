@@ -40,6 +40,23 @@ std::vector<HWND> windows_of(const std::string& class_name) {
     return search.found;
 }
 
+// How many windows that are seen come before it and cover a part of it.
+int covers(HWND pane) {
+    RECT area{};
+    ::GetWindowRect(pane, &area);
+    int count = 0;
+    for (HWND above = ::GetWindow(pane, GW_HWNDPREV); above != nullptr;
+         above = ::GetWindow(above, GW_HWNDPREV)) {
+        RECT place{};
+        RECT both{};
+        if (::IsWindowVisible(above) != 0 && ::GetWindowRect(above, &place) != 0 &&
+            ::IntersectRect(&both, &area, &place) != 0) {
+            ++count;
+        }
+    }
+    return count;
+}
+
 int show_panes() {
     for (const HWND pane : windows_of("hyrax.pane")) {
         RECT r{};
@@ -47,7 +64,7 @@ int show_panes() {
         const LONG_PTR style = ::GetWindowLongPtrW(pane, GWL_EXSTYLE);
         std::printf(
             "pane %ld %ld %ld %ld visible %d rude %d topmost %d toolwindow %d noactivate %d front "
-            "%d\n",
+            "%d covers %d\n",
             r.left,
             r.top,
             r.right - r.left,
@@ -57,7 +74,8 @@ int show_panes() {
             (style & WS_EX_TOPMOST) != 0,
             (style & WS_EX_TOOLWINDOW) != 0,
             (style & WS_EX_NOACTIVATE) != 0,
-            ::GetForegroundWindow() == pane
+            ::GetForegroundWindow() == pane,
+            covers(pane)
         );
     }
     std::puts("end");
