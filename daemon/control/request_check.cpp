@@ -81,7 +81,7 @@ Checked check_names(const Parameter& parameter, const json& value) {
     if (parameter.type == ParameterType::key) {
         const std::vector<std::string> keys = settable_keys();
         const std::string key = dotted(pointer_of(value.get<std::string>()));
-        if (std::ranges::count(keys, key) == 0) {
+        if (!key.starts_with(plugin_prefix) && std::ranges::count(keys, key) == 0) {
             return refused(fmt::format("{}: {}", parameter.name, unknown_name(key, views(keys))));
         }
     }
@@ -137,7 +137,8 @@ std::string expectation(const Parameter& parameter) {
         case ParameterType::pet:
             return "a pet's id such as \"3.1\", as list shows it";
         case ParameterType::key:
-            return "a setting such as \"physics.gravity\", as config get shows it";
+            return "a setting such as \"physics.gravity\" or \"plugins.catch.balls\", as config "
+                   "get shows it";
         case ParameterType::json:
             return "a value";
         case ParameterType::events:

@@ -88,34 +88,7 @@ std::string shown(const ScriptValue& value) {
     return std::visit(text, value.data);
 }
 
-// As the config wants it, where that fits.
-ScriptValue value_of(
-    const Plugin& plugin,
-    const PluginSetting& setting,
-    const PluginChoice& choice,
-    std::vector<std::string>& problems
-) {
-    const auto given = std::ranges::find(choice.settings, setting.key, &GivenSetting::key);
-    if (given == choice.settings.end()) {
-        return setting.default_value;
-    }
-    Result<ScriptValue> value = fitted(setting, given->value);
-    if (value) {
-        return *std::move(value);
-    }
-    problems.push_back(fmt::format(
-        "{}: /plugins/{}/{}: {}, got {}; the default {} is used",
-        given->place,
-        plugin.id,
-        setting.key,
-        value.error().message,
-        given->found,
-        shown(setting.default_value)
-    ));
-    return setting.default_value;
-}
-
-void tell_unknown_settings(
+void tell_wrong_settings(
     const Plugin& plugin, const PluginChoice& choice, std::vector<std::string>& problems
 ) {
     std::vector<std::string_view> known{"enabled"};
@@ -123,17 +96,25 @@ void tell_unknown_settings(
         known.emplace_back(setting.key);
     }
     for (const GivenSetting& given : choice.settings) {
-        if (std::ranges::count(known, given.key) != 0) {
-            continue;
+        const std::string where =
+            fmt::format("{}: /plugins/{}/{}", given.place, plugin.id, given.key);
+        const auto setting = std::ranges::find(plugin.settings, given.key, &PluginSetting::key);
+        if (setting == plugin.settings.end()) {
+            const auto nearest = nearest_name(given.key, known);
+            problems.push_back(fmt::format(
+                "{}: the plugin has no such setting{}",
+                where,
+                nearest ? fmt::format("; did you mean \"{}\"?", *nearest) : ""
+            ));
+        } else if (const Result<ScriptValue> value = fitted(*setting, given.value); !value) {
+            problems.push_back(fmt::format(
+                "{}: {}, got {}; the default {} is used",
+                where,
+                value.error().message,
+                given.found,
+                shown(setting->default_value)
+            ));
         }
-        const auto nearest = nearest_name(given.key, known);
-        problems.push_back(fmt::format(
-            "{}: /plugins/{}/{}: the plugin has no such setting{}",
-            given.place,
-            plugin.id,
-            given.key,
-            nearest ? fmt::format("; did you mean \"{}\"?", *nearest) : ""
-        ));
     }
 }
 
@@ -218,6 +199,13 @@ Result<SpriteSet> load_plugin_kind(
     return set;
 }
 
+ScriptValue value_in_force(const PluginSetting& setting, const PluginChoice& choice) {
+    const auto given = std::ranges::find(choice.settings, setting.key, &GivenSetting::key);
+    return given == choice.settings.end()
+               ? setting.default_value
+               : fitted(setting, given->value).value_or(setting.default_value);
+}
+
 ScriptSource source_of(
     const Plugin& plugin, const PluginChoice& choice, std::vector<std::string>& problems
 ) {
@@ -231,9 +219,9 @@ ScriptSource source_of(
         .keep_pets = plugin.keep_pets,
     };
     for (const PluginSetting& setting : plugin.settings) {
-        set_field(source.config, setting.key, value_of(plugin, setting, choice, problems));
+        set_field(source.config, setting.key, value_in_force(setting, choice));
     }
-    tell_unknown_settings(plugin, choice, problems);
+    tell_wrong_settings(plugin, choice, problems);
     return source;
 }
 

@@ -54,6 +54,9 @@ void judge(
     const Plugin& plugin, const PluginKind& kind, const ImageDecoder& decode
 );
 
+/// What the setting is: the value that the choice gives it, where that fits, else its default.
+ScriptValue value_in_force(const PluginSetting& setting, const PluginChoice& choice);
+
 /// The script of a plugin that can be read, without its store. Settings that the plugin does not
 /// know, or that do not fit, are told in `problems`; then the default holds.
 ScriptSource source_of(

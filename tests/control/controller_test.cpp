@@ -188,6 +188,71 @@ TEST_CASE("plugins are listed, allowed and denied") {
     CHECK(asked.refusal(4).contains("act: must be \"allow\" or \"deny\", got \"permit\""));
 }
 
+TEST_CASE("a plugin's settings are read and written as its manifest wants them") {
+    AskedDaemon asked(4.0, R"({
+    // kept
+    "plugins": {"rock": {"name": "rocker", "jumps": 99}}
+})");
+    asked.recorded.folder.write(
+        "plugins/rock/plugin.json",
+        R"({"manifest": 1, "id": "rock", "version": "1.0.0", "api": "1.0", "name": "Rock",)"
+        R"( "config": [{"key": "jumps", "type": "integer", "min": 1, "max": 20, "default": 5,)"
+        R"( "label": "Jumps of a party"}, {"key": "name", "type": "string", "default": "a"}]})"
+    );
+    asked.recorded.folder.write(
+        "plugins/rock/main.lua",
+        "hyrax.on('config', function(k, v) hyrax.spawn{ tag = k .. v } end)"
+    );
+    asked.at(1.0, R"({"do": "config get", "key": "plugins.rock.jumps"})");
+    asked.at(1.0, R"({"do": "config get", "key": "/plugins/rock/name"})");
+    asked.at(1.0, R"({"do": "config set", "key": "plugins.rock.jumps", "value": 7.0})");
+    asked.at(1.0, R"({"do": "config set", "key": "plugins.catch.enabled", "value": true})");
+    asked.at(1.0, R"({"do": "config get", "key": "plugins.rock.jumps"})");
+    asked.at(1.0, R"({"do": "config get"})");
+    asked.at(2.0, R"({"do": "config set", "key": "plugins.rock.jumps", "value": 21})");
+    asked.at(2.0, R"({"do": "config set", "key": "plugins.rock.name", "value": 5})");
+    asked.at(2.0, R"({"do": "config set", "key": "plugins.rock.jmups", "value": 5})");
+    asked.at(2.0, R"({"do": "config get", "key": "plugins.rokc.jumps"})");
+    asked.at(2.0, R"({"do": "config get", "key": "plugins.rock"})");
+    asked.at(3.0, R"({"do": "list", "tag": "jumps7"})");
+    asked.run();
+    // What does not fit does not hold.
+    CHECK(
+        asked.result(0) ==
+        json::parse(R"({"key": "plugins.rock.jumps", "value": 5, "unit": "",)"
+                    R"( "type": "integer", "low": 1.0, "high": 20.0, "default": 5,)"
+                    R"( "description": "Jumps of a party"})")
+    );
+    CHECK(asked.result(1)["value"] == "rocker");
+    CHECK(asked.result(2) == json{{"key", "plugins.rock.jumps"}, {"value", 7}});
+    CHECK(asked.result(4)["value"] == 7);
+    const json listed = asked.result(5)["settings"];
+    const json jumps{{"key", "plugins.rock.jumps"}, {"value", 7}, {"unit", ""}};
+    const json enabled{{"key", "plugins.catch.enabled"}, {"value", true}, {"unit", ""}};
+    const json off{{"key", "plugins.clock.enabled"}, {"value", false}, {"unit", ""}};
+    CHECK(std::ranges::count(listed, jumps) == 1);
+    CHECK(std::ranges::count(listed, enabled) == 1);
+    CHECK(std::ranges::count(listed, off) == 1);
+    CHECK(
+        asked.refusal(6) == "bad_value: not written: plugins.rock.jumps: must be a whole number "
+                            "from 1 to 20, got 21"
+    );
+    CHECK(asked.refusal(7).ends_with("plugins.rock.name: must be a text in double quotes, got 5"));
+    CHECK(
+        asked.refusal(8) ==
+        "bad_request: key: plugins.rock.jmups: there is no \"jmups\"; did you mean \"jumps\"?"
+    );
+    CHECK(asked.refusal(9).ends_with("there is no \"rokc\"; did you mean \"rock\"?"));
+    CHECK(asked.refusal(10).ends_with("known: enabled, jumps, name"));
+    CHECK(asked.result(11)["total"] == 1);  // The script has heard of it.
+    CHECK(
+        asked.recorded.folder.read("config.json") ==
+        "{\n    // kept\n"
+        "    \"plugins\": {\"catch\": {\"enabled\": true}, "
+        "\"rock\": {\"name\": \"rocker\", \"jumps\": 7}}\n}"
+    );
+}
+
 TEST_CASE("those who watch hear of what they want, until they leave") {
     AskedDaemon daemon(10.0);
     daemon.at(0.0, R"({"do": "events", "only": ["land", "spawn"]})");          // 1
