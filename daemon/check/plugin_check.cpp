@@ -37,11 +37,11 @@ std::vector<Kind> kinds_for(
         .config = {}, .user = shipped / "config", .shipped = shipped, .more_scripts = {}
     };
     std::vector<SpriteSet> sets = load_kinds(profile, decode).sets;
-    for (const PluginKind& kind : plugin.kinds) {
-        if (Result<SpriteSet> set = load_plugin_kind(plugin, kind, decode)) {
-            sets.push_back(*std::move(set));
+    for (LoadedPluginKind& kind : load_plugin_kinds(plugin, decode)) {
+        if (kind.set) {
+            sets.push_back(*std::move(kind.set));
         } else {
-            add_lines(report.errors, set.error().message);
+            add_lines(report.errors, kind.set.error().message);
         }
     }
     return kinds_of(sets);

@@ -3,14 +3,19 @@
 #include "daemon/core/plugin.h"
 
 #include "daemon/core/files.h"
+#include "daemon/core/png_header.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <map>
 #include <optional>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -130,6 +135,29 @@ Files files_in(const fs::path& folder, Faults& faults) {
     return files;
 }
 
+std::optional<Size> picture_size(const fs::path& path) {
+    std::array<char, png_header_bytes> beginning{};
+    std::ifstream file(path, std::ios::binary);
+    file.read(beginning.data(), beginning.size());
+    return file ? png_size(std::as_bytes(std::span(beginning))) : std::nullopt;
+}
+
+// Before anything is decoded. Whatever its name: sprite.json may call its sheet as it likes.
+void check_pictures(const Files& files, Faults& faults) {
+    for (const auto& [name, path] : files) {
+        const std::optional<Size> size = picture_size(path);
+        if (size && std::max(size->width, size->height) > most_plugin_side) {
+            faults.add(fmt::format(
+                "{}: is {} x {} pixels; a plugin's pictures have at most {} a side",
+                utf8_from_path(path),
+                size->width,
+                size->height,
+                most_plugin_side
+            ));
+        }
+    }
+}
+
 // "lib/score.lua" is "lib.score"; nothing for a name that `require` does not take.
 std::optional<std::string> module_name(std::string_view file) {
     constexpr std::size_t longest = 64;
@@ -233,6 +261,7 @@ Result<Plugin> read_plugin(const fs::path& folder, std::vector<std::string>& war
         for (const PluginKind& kind : plugin->kinds) {
             look_for(files, kind.file, manifest, "/kinds/" + kind.name, faults);
         }
+        check_pictures(files, faults);
         read_sources(*plugin, files, faults, warnings);
     }
     if (faults.any()) {

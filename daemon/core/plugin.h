@@ -22,6 +22,11 @@ inline constexpr std::size_t most_plugin_bytes = std::size_t{32} << 20U;
 /// Of all Lua files together.
 inline constexpr std::size_t most_plugin_source = std::size_t{1} << 20U;
 
+/// A side of its pictures [px].
+inline constexpr int most_plugin_side = 4096;
+/// Of all its pictures together, as its kinds use them: 64 MiB once decoded, and as much mirrored.
+inline constexpr std::size_t most_plugin_pixels = std::size_t{4096} * 4096;
+
 /// The largest number that a setting may have: whole ones up to here are exact.
 inline constexpr double most_setting = 9e15;
 
@@ -72,9 +77,10 @@ struct Plugin {
 /// 3 to 40 small letters, digits and inner hyphens; no device, and not "user", who owns pets.
 bool is_plugin_id(std::string_view text);
 
-/// Reads <folder>/plugin.json, the Lua files and what they weigh, and checks all of it; pictures
-/// are only looked for. A failure has a line for each error, which begins with the file and, in the
-/// manifest, the line and the column. Appends what is odd to `warnings`. Nothing is run.
+/// Reads <folder>/plugin.json, the Lua files and what they weigh, and checks all of it; of
+/// pictures, only the size that their headers tell. A failure has a line for each error, which
+/// begins with the file and, in the manifest, the line and the column. Appends what is odd to
+/// `warnings`. Nothing is run.
 [[nodiscard]] Result<Plugin> read_plugin(
     const std::filesystem::path& folder, std::vector<std::string>& warnings
 );

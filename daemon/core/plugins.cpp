@@ -189,14 +189,31 @@ void judge(
     }
 }
 
-Result<SpriteSet> load_plugin_kind(
-    const Plugin& plugin, const PluginKind& kind, const ImageDecoder& decode
-) {
-    Result<SpriteSet> set = load_sprite_set(folder_of(plugin, kind), decode);
-    if (set) {
-        set->name = whole_name(plugin, kind);
+std::vector<LoadedPluginKind> load_plugin_kinds(const Plugin& plugin, const ImageDecoder& decode) {
+    std::vector<LoadedPluginKind> kinds;
+    std::size_t pixels = 0;
+    for (const PluginKind& kind : plugin.kinds) {
+        Result<SpriteSet> set = load_sprite_set(folder_of(plugin, kind), decode);
+        if (set) {
+            set->name = whole_name(plugin, kind);
+            pixels += set->sheet.pixels.size();
+        }
+        if (set && pixels > most_plugin_pixels) {
+            set = failure(fmt::format(
+                "{}: /kinds/{}: the pictures up to this one have {} pixels; those of a plugin have "
+                "at most {}",
+                utf8_from_path(plugin.folder / plugin_manifest_name),
+                kind.name,
+                pixels,
+                most_plugin_pixels
+            ));
+        }
+        kinds.push_back({whole_name(plugin, kind), std::move(set)});
+        if (pixels > most_plugin_pixels) {
+            break;
+        }
     }
-    return set;
+    return kinds;
 }
 
 ScriptValue value_in_force(const PluginSetting& setting, const PluginChoice& choice) {
@@ -269,15 +286,13 @@ void add_plugin_kinds(
         if (entry.state != PluginState::on) {
             continue;
         }
-        for (const PluginKind& kind : entry.plugin->kinds) {
-            Result<SpriteSet> set = load_plugin_kind(*entry.plugin, kind, decode);
-            if (set) {
-                kinds.sets.push_back(*std::move(set));
+        for (LoadedPluginKind& kind : load_plugin_kinds(*entry.plugin, decode)) {
+            if (kind.set) {
+                kinds.sets.push_back(*std::move(kind.set));
                 continue;
             }
-            kinds.problems.push_back(set.error().message);
-            const std::string name = whole_name(*entry.plugin, kind);
-            const auto old = std::ranges::find(before, name, &SpriteSet::name);
+            kinds.problems.push_back(kind.set.error().message);
+            const auto old = std::ranges::find(before, kind.name, &SpriteSet::name);
             if (old != before.end()) {
                 kinds.sets.push_back(*old);
             }

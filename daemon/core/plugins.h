@@ -49,10 +49,14 @@ void judge(
     std::vector<PluginEntry>& plugins, const PluginChoices& choices, const Remembered& remembered
 );
 
-/// One of the plugin's sets, named "<id>/<kind>".
-[[nodiscard]] Result<SpriteSet> load_plugin_kind(
-    const Plugin& plugin, const PluginKind& kind, const ImageDecoder& decode
-);
+/// A kind of a plugin.
+struct LoadedPluginKind {
+    std::string name;  ///< "<id>/<kind>"
+    Result<SpriteSet> set;
+};
+
+/// The plugin's sets in its own order. Those for which most_plugin_pixels leaves no room fail.
+std::vector<LoadedPluginKind> load_plugin_kinds(const Plugin& plugin, const ImageDecoder& decode);
 
 /// What the setting is: the value that the choice gives it, where that fits, else its default.
 ScriptValue value_in_force(const PluginSetting& setting, const PluginChoice& choice);

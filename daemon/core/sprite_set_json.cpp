@@ -3,13 +3,13 @@
 #include "daemon/core/checked_json.h"
 #include "daemon/core/engine.h"
 #include "daemon/core/files.h"
+#include "daemon/core/png_header.h"
 #include "daemon/core/sprite_set.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -206,34 +206,23 @@ private:
     std::vector<JsonValue> cell_numbers_;  // kept until the sheet is known
 };
 
-std::uint32_t big_endian(std::span<const std::byte> bytes) {
-    std::uint32_t number = 0;
-    for (const std::byte each : bytes.first(4)) {
-        number = number << 8U | std::to_integer<std::uint32_t>(each);
-    }
-    return number;
-}
-
 // From the header alone: a small file can announce a picture that fills all memory.
-Result<Size> png_size(std::span<const std::byte> file, std::string_view name) {
-    constexpr std::array<unsigned char, 16> beginning{
-        0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n', 0, 0, 0, 13, 'I', 'H', 'D', 'R'
-    };
-    const auto same = [](std::byte a, unsigned char b) {
-        return std::to_integer<unsigned char>(a) == b;
-    };
-    if (file.size() < beginning.size() + 8 ||
-        !std::ranges::equal(file.first(beginning.size()), beginning, same)) {
+Result<Size> checked_size(std::span<const std::byte> file, std::string_view name) {
+    const std::optional<Size> size = png_size(file);
+    if (!size) {
         return failure(fmt::format("{}: is not a PNG picture", name));
     }
-    const std::uint32_t width = big_endian(file.subspan(16));
-    const std::uint32_t height = big_endian(file.subspan(20));
-    if (std::min(width, height) < 1 || std::max(width, height) > max_image_side) {
+    const auto [least, most] = std::minmax(size->width, size->height);
+    if (least < 1 || most > max_image_side) {
         return failure(fmt::format(
-            "{}: is {} x {} pixels; 1 to {} a side are allowed", name, width, height, max_image_side
+            "{}: is {} x {} pixels; 1 to {} a side are allowed",
+            name,
+            size->width,
+            size->height,
+            max_image_side
         ));
     }
-    return Size{static_cast<int>(width), static_cast<int>(height)};
+    return *size;
 }
 
 Result<Image> load_sheet(const fs::path& path, Size cell, const ImageDecoder& decode) {
@@ -242,7 +231,7 @@ Result<Image> load_sheet(const fs::path& path, Size cell, const ImageDecoder& de
         return std::unexpected(file.error());
     }
     const std::string name = utf8_from_path(path);
-    const Result<Size> size = png_size(*file, name);
+    const Result<Size> size = checked_size(*file, name);
     if (!size) {
         return std::unexpected(size.error());
     }

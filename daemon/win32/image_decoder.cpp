@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/win32/image_decoder.h"
 
+#include "daemon/core/png_header.h"
 #include "daemon/win32/gdiplus_include.h"
 #include "daemon/win32/handle.h"
-#include "daemon/win32/png_header.h"
 
 #include <string>
 

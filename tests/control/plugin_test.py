@@ -2,15 +2,29 @@
 """hyraxctl plugin: plugin_test.py <hyraxctl>"""
 import pathlib
 import re
+import resource
 import stat
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
 import zipfile
+import zlib
 
 CTL = pathlib.Path(sys.argv[1])
 del sys.argv[1]
+
+
+def lying_png(width, height):
+    """A whole PNG file that says it is so large, and holds one row of one byte."""
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    header = struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)
+    rows = chunk(b"IDAT", zlib.compress(b"\0"))
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + rows + chunk(b"IEND", b"")
 
 
 class Plugins(unittest.TestCase):
@@ -88,6 +102,26 @@ class Check(Plugins):
         self.assertEqual(done.returncode, 1)
         self.assertIn(f"error: {manifest}:4:", done.stderr)
         self.assertIn("plugin.json", self.plugin("check", self.folder).stderr)
+
+
+    def test_pictures_that_lie_about_their_size(self):
+        manifest = self.made / "plugin.json"
+        manifest.write_text(manifest.read_text().replace('"permissions"', '"kinds": {"big": "sprite.json"}, "permissions"'))
+        (self.made / "sprite.json").write_text(
+            '{"sheet": "sheet.png", "cell": {"width": 64, "height": 64},'
+            ' "box": {"x": 0, "y": 0, "width": 64, "height": 64},'
+            ' "animations": {"idle": {"frames": [{"cell": 0, "ms": 100}]}}}'
+        )
+        sheet = self.made / "sheet.png"
+        for side in (4160, 65536, 2**31 - 64):
+            sheet.write_bytes(lying_png(side, side))
+            said = f"{sheet}: is {side} x {side} pixels; a plugin's pictures have at most 4096 a side\n"
+            self.assertEqual(self.plugin("check", self.made).stderr, f"error: {said}")
+            self.assertIn(said, self.refused("install", self.made))
+        sheet.write_bytes(lying_png(4096, 4096))
+        self.assertIn("sheet.png: cannot be decoded: ", self.plugin("check", self.made).stderr)
+        most = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+        self.assertLess(most, 1 << 20, "KiB of memory")
 
 
 class Install(Plugins):

@@ -3,6 +3,7 @@
 #include "daemon/core/plugin.h"
 
 #include "daemon/core/files.h"
+#include "tests/support/png_header.h"
 #include "tests/support/temporary_folder.h"
 
 #include <doctest/doctest.h>
@@ -315,6 +316,19 @@ TEST_CASE("plugin: folders that are too large are refused") {
         folder.write("f" + std::to_string(i), "");
     }
     CHECK(read(folder).error().message.contains("holds more than 200 files"));
+}
+
+TEST_CASE("plugin: pictures that say they are too large are refused, whatever their names") {
+    const TemporaryFolder folder;
+    folder.write("plugin.json", smallest);
+    folder.write("main.lua", "");
+    folder.write("art/sheet.png", png_header(most_plugin_side, most_plugin_side));
+    CHECK(read(folder));
+    folder.write("art/more.dat", png_header(5, most_plugin_side + 1));
+    folder.write("art/sheet.png", png_header(0xFFFFFFFF, 5));
+    const std::string message = read(folder).error().message;
+    CHECK(message.contains("more.dat: is 5 x 4097 pixels; a plugin's pictures have at most 4096 "));
+    CHECK(message.contains("sheet.png: is 2147483647 x 5 pixels; "));
 }
 
 TEST_CASE("plugin: plugin.schema.json and the program know the same fields") {

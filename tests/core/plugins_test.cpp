@@ -3,10 +3,13 @@
 #include "daemon/core/plugins.h"
 
 #include "daemon/core/config.h"
+#include "tests/support/png_header.h"
 #include "tests/support/temporary_folder.h"
 
 #include <doctest/doctest.h>
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -177,4 +180,33 @@ TEST_CASE("plugins: settings come from the config where they fit, else from the 
         problems[2] == "config.json:1:73: /plugins/own/moot: the plugin has no such setting; did "
                        "you mean \"mood\"?"
     );
+}
+
+TEST_CASE("plugins: what its kinds take in memory is bounded, however they share pictures") {
+    const TemporaryFolder folder;
+    const std::string sprite = R"({"sheet": "sheet.png", "cell": {"width": 4096, "height": 1365},)"
+                               R"( "box": {"x": 0, "y": 0, "width": 4096, "height": 1365},)"
+                               R"( "animations": {"idle": {"frames": [{"cell": 0, "ms": 100}]}}})";
+    Plugin plugin{.folder = folder.path(), .id = "own"};
+    for (const std::string name : {"a", "b", "c", "d", "e"}) {
+        folder.write(name + "/sprite.json", sprite);
+        folder.write(name + "/sheet.png", png_header(4096, 1365));
+        plugin.kinds.push_back({name, name + "/sprite.json"});
+    }
+    int decoded = 0;
+    const ImageDecoder decode = [&decoded](std::span<const std::byte>) -> Result<Image> {
+        ++decoded;
+        return Image(Size{4096, 1365});
+    };
+    const std::vector<LoadedPluginKind> kinds = load_plugin_kinds(plugin, decode);
+    CHECK(decoded == 4);
+    REQUIRE(kinds.size() == 4);
+    CHECK(kinds[2].name == "own/c");
+    REQUIRE_MESSAGE(kinds[2].set, kinds[2].set.error().message);
+    CHECK(kinds[2].set->name == "own/c");
+    REQUIRE_FALSE(kinds[3].set);
+    CHECK(kinds[3].set.error().message.ends_with(
+        "plugin.json: /kinds/d: the pictures up to this one have 22364160 pixels; those of a "
+        "plugin have at most 16777216"
+    ));
 }

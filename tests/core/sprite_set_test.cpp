@@ -2,6 +2,7 @@
 #include "daemon/core/sprite_set.h"
 
 #include "daemon/core/files.h"
+#include "tests/support/png_header.h"
 #include "tests/support/temporary_folder.h"
 
 #include <doctest/doctest.h>
@@ -15,17 +16,6 @@ using namespace hyrax;
 namespace {
 
 namespace fs = std::filesystem;
-
-// The first 24 bytes of a PNG file: all that is read before decoding.
-std::string png_header(unsigned width, unsigned height) {
-    std::string header("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16);
-    for (const unsigned number : {width, height}) {
-        for (int shift = 24; shift >= 0; shift -= 8) {
-            header += static_cast<char>(number >> static_cast<unsigned>(shift) & 0xFFU);
-        }
-    }
-    return header;
-}
 
 // Every pixel tells its place: alpha is x + 16 y, except for colours.
 Image numbered(Size size) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Plugins in the whole daemon: found, asked about, loaded again, and gone.
 #include "tests/headless/recorded_daemon.h"
+#include "tests/support/png_header.h"
 
 #include <doctest/doctest.h>
 
@@ -159,6 +160,17 @@ TEST_CASE("wind moves the pets by another integrator while it blows") {
     });
     run.look(2.5, [](const Daemon& daemon) {
         CHECK(daemon.engine().integrator() == Integrator::event_driven);
+    });
+    run.run();
+}
+
+TEST_CASE("a picture that is too large is told of; what ran before goes on") {
+    RecordedDaemon run(3.0);
+    add_plugin(run);
+    run.change_file(1.0, "plugins/rock/huge.png", png_header(60'000, 60'000));
+    run.look(2.0, [](const Daemon& daemon) {
+        CHECK(daemon.status().problem.contains("huge.png: is 60000 x 60000 pixels; a plugin's"));
+        CHECK(pets_of(daemon, "rock") == 2);
     });
     run.run();
 }

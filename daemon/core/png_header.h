@@ -10,14 +10,17 @@
 #include <optional>
 #include <span>
 
-namespace hyrax::win32 {
+namespace hyrax {
+
+/// As many bytes of a file as png_size() looks at.
+inline constexpr std::size_t png_header_bytes = 24;
 
 /// None if it does not begin as a PNG file does. Sides above 2^31 come out as the largest int.
 inline std::optional<Size> png_size(std::span<const std::byte> file) {
     constexpr std::array<unsigned, 16> start{
         0x89, 'P', 'N', 'G', 0x0D, 0x0A, 0x1A, 0x0A, 0, 0, 0, 13, 'I', 'H', 'D', 'R'
     };
-    if (file.size() < start.size() + 8) {
+    if (file.size() < png_header_bytes) {
         return std::nullopt;
     }
     for (std::size_t i = 0; i < start.size(); ++i) {
@@ -35,4 +38,4 @@ inline std::optional<Size> png_size(std::span<const std::byte> file) {
     return Size{side(16), side(20)};
 }
 
-}  // namespace hyrax::win32
+}  // namespace hyrax

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "daemon/win32/png_header.h"
+#include "daemon/core/png_header.h"
 
 #include <doctest/doctest.h>
 
 #include <string>
 
 using namespace hyrax;
-using hyrax::win32::png_size;
 
 namespace {
 
