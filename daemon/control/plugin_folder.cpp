@@ -3,6 +3,7 @@
 
 #include "daemon/control/archive.h"
 #include "daemon/core/files.h"
+#include "daemon/core/links.h"
 
 #include <fmt/format.h>
 
@@ -30,7 +31,7 @@ class Workplace {
 public:
     static Result<Workplace> make(const fs::path& path) {
         std::error_code error;
-        fs::remove_all(path, error);
+        remove_tree(path, error);
         fs::create_directories(path, error);
         if (error) {
             return file_failure(path, "cannot be made", error);
@@ -42,7 +43,7 @@ public:
     ~Workplace() {
         std::error_code error;
         if (!path_.empty()) {
-            fs::remove_all(path_, error);
+            remove_tree(path_, error);
         }
     }
     const fs::path& path() const { return path_; }
@@ -63,7 +64,7 @@ Result<void> copy_folder(const fs::path& from, const fs::path& to) {
             continue;
         }
         const fs::path target = to / path.lexically_relative(from);
-        if (entry->is_symlink(error)) {
+        if (is_link(path)) {
             return failure(utf8_from_path(path) + ": is a link");
         }
         if (entry->is_directory(error)) {
@@ -109,7 +110,7 @@ Result<void> take_place(const fs::path& from, const fs::path& place) {
     const fs::path aside = place.parent_path() / (place.filename().string() + std::string(leaving));
     const bool replaces = fs::exists(place, error);
     if (replaces) {
-        fs::remove_all(aside, error);
+        remove_tree(aside, error);
         fs::rename(place, aside, error);
         if (error) {
             return file_failure(place, "cannot be replaced", error);
@@ -123,7 +124,7 @@ Result<void> take_place(const fs::path& from, const fs::path& place) {
         }
         return file_failure(place, "cannot be made", error);
     }
-    fs::remove_all(aside, error);
+    remove_tree(aside, error);
     return {};
 }
 
@@ -182,7 +183,7 @@ Result<Plugin> install_plugin(const fs::path& from, const fs::path& profile, boo
 Result<void> remove_plugin(const std::string& id, const fs::path& profile) {
     const fs::path place = plugins_of(profile) / id;
     std::error_code error;
-    if (!is_plugin_id(id) || !fs::is_directory(fs::symlink_status(place, error))) {
+    if (!is_plugin_id(id) || is_link(place) || !fs::is_directory(place, error)) {
         return failure(
             fmt::format("there is no plugin \"{}\" in {}", id, utf8_from_path(plugins_of(profile)))
         );
@@ -193,7 +194,7 @@ Result<void> remove_plugin(const std::string& id, const fs::path& profile) {
     if (error) {
         return file_failure(place, "cannot be removed", error);
     }
-    fs::remove_all(aside, error);
+    remove_tree(aside, error);
     return error ? Result<void>(file_failure(aside, "cannot be removed", error)) : Result<void>();
 }
 

@@ -3,6 +3,7 @@
 #include "daemon/core/plugin.h"
 
 #include "daemon/core/files.h"
+#include "daemon/core/links.h"
 #include "daemon/core/png_header.h"
 
 #include <fmt/format.h>
@@ -90,17 +91,16 @@ bool is_hidden(const fs::path& path) {
 
 // Whether the file is in the folder once every link has been followed.
 bool stays_inside(const fs::path& file, const fs::path& real_folder) {
-    std::error_code error;
-    const fs::path real = fs::canonical(file, error);
+    const fs::path real = real_path(file);
     const auto [end, rest] = std::ranges::mismatch(real_folder, real);
-    return !error && end == real_folder.end();
+    return end == real_folder.end();
 }
 
 // Stops looking once there are too many.
 Files files_in(const fs::path& folder, Faults& faults) {
     Files files;
     std::error_code error;
-    const fs::path real_folder = fs::canonical(folder, error);
+    const fs::path real_folder = real_path(folder);
     std::uintmax_t bytes = 0;
     auto entry = fs::recursive_directory_iterator(folder, error);
     for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
@@ -110,6 +110,13 @@ Files files_in(const fs::path& folder, Faults& faults) {
         }
         std::error_code unreadable;
         if (!entry->is_regular_file(unreadable)) {
+            // Some libraries would go on behind it, and so would whoever names a file there.
+            if (is_link(entry->path())) {
+                faults.add(fmt::format(
+                    "{}: is a link, but not to a file of the plugin", utf8_from_path(entry->path())
+                ));
+                entry.disable_recursion_pending();
+            }
             continue;
         }
         if (!stays_inside(entry->path(), real_folder)) {

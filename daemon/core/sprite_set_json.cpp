@@ -66,6 +66,10 @@ public:
             }
             if (const auto sheet = root_.required("sheet")) {
                 sheet_ = sheet->relative_path().value_or("");
+                // Nobody has looked at what is hidden, nor whether it is a link.
+                if (sheet_.starts_with('.') || sheet_.contains("/.")) {
+                    sheet->expected("must be a file that is not hidden");
+                }
             }
             read_cell(set);
             read_scaling(set);

@@ -74,6 +74,24 @@ TEST_CASE("a plugin is installed as a whole, replaced on demand, and removed") {
     CHECK(names_in(profile / "plugins").empty());
 }
 
+TEST_CASE("a plugin's folder that is a link is not followed when it goes") {
+    const TemporaryFolder folder;
+    const fs::path profile = folder.path() / "profile";
+    const fs::path made = new_plugin("catch-me", folder.path()).value();
+    fs::create_directories(profile / "plugins");
+    std::error_code error;
+    fs::create_directory_symlink(made, profile / "plugins" / "catch-me", error);
+    if (error) {
+        return;  // the library of mingw-w64 makes no links
+    }
+    CHECK_FALSE(remove_plugin("catch-me", profile).has_value());
+    const fs::path other = folder.path() / "other";
+    fs::copy(made, other);
+    REQUIRE(install_plugin(other, profile, true).has_value());
+    CHECK(names_in(profile / "plugins") == Names{"catch-me"});
+    CHECK(names_in(made) == Names{"README.md", "main.lua", "plugin.json"});
+}
+
 TEST_CASE("what is no plugin is told, and leaves no trace") {
     const TemporaryFolder folder;
     const fs::path profile = folder.path() / "profile";

@@ -298,6 +298,15 @@ TEST_CASE("plugin: links out of the folder are refused, links within it are fine
     const Result<Plugin> refused = read_plugin(folder.path() / "p", warnings);
     REQUIRE_FALSE(refused);
     CHECK(refused.error().message.contains("more.lua: is a link to something outside"));
+    // Behind a link to a folder nobody has looked, and sprite.json could name what is there.
+    for (const fs::path target : {"..", ".", "nowhere"}) {
+        fs::remove(folder.path() / "p/more.lua");
+        fs::create_symlink(target, folder.path() / "p/more.lua");
+        const Result<Plugin> other = read_plugin(folder.path() / "p", warnings);
+        REQUIRE_FALSE(other);
+        CHECK(other.error().message.ends_with("more.lua: is a link, but not to a file of the plugin"
+        ));
+    }
 }
 
 TEST_CASE("plugin: folders that are too large are refused") {

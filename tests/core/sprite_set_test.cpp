@@ -286,6 +286,13 @@ TEST_CASE("sprite set: the sheet stays inside the folder") {
                 std::string(bad) + "\""
         );
     }
+    for (const char* const hidden : {".sheet.png", "below/.hidden/sheet.png"}) {
+        CHECK(
+            complaint_about("sheet.png", hidden) ==
+            "sprite.json:2:29: /sheet: must be a file that is not hidden, got \"" +
+                std::string(hidden) + "\""
+        );
+    }
     const Folder folder(changed(good, "sheet.png", "below/sheet.png"));
     CHECK(folder.complaint().ends_with("sheet.png: there is no such file"));
     folder.temporary.write("below/sheet.png", png_header(8, 4));
