@@ -79,7 +79,8 @@ int run(ControlSystem& system, const CtlCommandLine& line) {
             *line.task,
             {system,
              *profile,
-             [&system](const std::filesystem::path& folder) { return check(system, folder); }}
+             [&system](const std::filesystem::path& folder) { return check(system, folder); },
+             line.json}
         );
     }
     const Client client(system, *profile);

@@ -36,10 +36,15 @@ int run_file(const task::RunFile& task, const TaskContext& context) {
             return told(talk.error(), exit_no_daemon);
         }
         const ShownAnswer answer = shown_answer(talk->answer);
-        if (!answer.refusal.empty()) {
+        const bool refused = !answer.refusal.empty();
+        if (refused && !context.json) {
             return told({answer.text}, exit_refused);
         }
-        shown = answer.text;
+        shown = context.json ? talk->answer + "\n" : answer.text;
+        if (refused) {
+            fmt::print("{}", shown);
+            return exit_refused;
+        }
     }
     fmt::print("{}", shown);
     return exit_ok;

@@ -55,6 +55,7 @@ struct TaskContext {
     ControlSystem& system;
     std::filesystem::path profile;
     CheckPlugin check_plugin;
+    bool json = false;  ///< Answers for programs, where there are any.
 };
 
 /// Does it, tells what came of it on the terminal, and returns the program's exit code.

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """run, eval, repl and scripts of hyraxctl: script_test.py <hyrax-headless> <hyraxctl>"""
+import json
 import socket
 import struct
 import subprocess
@@ -65,6 +66,9 @@ class Scripts(Served):
         path = self.script("idea.lua", "runs = (runs or 0) + 1\n")
         self.assertEqual(self.ctl("run", path).stdout, "script  run:idea.lua\n")
         self.assertEqual(self.ctl("eval", "idea.lua", "runs").stdout, "1\n")
+        self.assertEqual(self.result("run", path), {"script": "run:idea.lua"})
+        refused = self.ctl("--json", "run", self.script("bad.lua", "nope.x = 1"))
+        self.assertEqual((refused.returncode, json.loads(refused.stdout)["error"]["code"]), (1, "script_error"))
         big = self.script("big.lua", "text = [[" + "ä\n" * 100000 + "]]\n")
         self.assertEqual(self.ctl("run", big).returncode, 0)
         self.assertEqual(self.ctl("eval", "big.lua", "#text").stdout, "300000\n")

@@ -6,6 +6,7 @@ Usage: test_control.py hyrax.exe hyraxctl.exe
 
 import json
 import sys
+import tempfile
 import time
 import unittest
 from pathlib import Path
@@ -74,6 +75,31 @@ class Control(unittest.TestCase):
         self.assertEqual(listener.wait(20), 0)
         self.assertIn("no hyrax runs with the profile", self.ctl("status", code=3))
 
+    def test_code_runs_in_scripts_only_for_developers(self):
+        (self.daemon.profile / "scripts" / "a.lua").write_text("count = 3\n")
+        idea = self.daemon.profile / "idea.lua"
+        idea.write_text("pet = hyrax.spawn{ tag = 'mine' }\nprint(pet.tag)\n")
+        self.result("reload")
+        refused = ["eval", "a.lua", "count"], ["run", windows_path(idea)], ["repl"]
+        for arguments in refused:
+            self.assertIn("scripts.developer", self.ctl(*arguments, code=1))
+        self.assertEqual(self.result("list", "--tag", "mine")["total"], 0)
+        self.result("config", "set", "scripts.developer", "true")
+        self.assertEqual(self.result("eval", "a.lua", "count + 1, 'x'")["value"], '4, "x"')
+        self.assertEqual(self.result("eval", "a.lua", "print 'hello'")["printed"], "hello\n")
+        self.assertEqual(self.error("eval", "a.lua", "nope.x = 1"), "script_error")
+        self.assertIn("used more than", self.ctl("eval", "a.lua", "while true do end", code=1))
+        self.assertEqual(self.result("run", windows_path(idea)), {"script": "run:idea.lua"})
+        self.assertEqual(self.result("list", "--tag", "mine")["total"], 1)
+        self.assertEqual(self.result("eval", "idea.lua", "pet.tag")["value"], '"mine"')
+        idea.write_text("\n\nerror('oh')\n")
+        self.assertIn("run:idea.lua:3: oh", self.ctl("run", windows_path(idea), code=1))
+        self.result("run", "--stop", "idea.lua")
+        self.assertEqual([script["name"] for script in self.result("scripts")["scripts"]], ["a.lua"])
+        self.result("config", "set", "scripts.developer", "false")
+        for arguments in refused:
+            self.assertIn("scripts.developer", self.ctl(*arguments, code=1))
+
     def test_an_open_menu_holds_no_client_up(self):
         self.daemon.wait_for_pets(lambda pets: len(pets) == 1)
         (tray,) = self.desk.windows("Wine System Tray")
@@ -102,6 +128,42 @@ class Control(unittest.TestCase):
         first, begin = self.result("status")["frames"], time.monotonic()
         act()
         return (self.result("status")["frames"] - first) / (time.monotonic() - begin)
+
+
+class Plugins(unittest.TestCase):
+    """hyraxctl.exe alone."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.desk = cls.enterClassContext(desktop.VirtualDesktop())
+
+    def setUp(self):
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.profile = self.folder / "profile"
+        self.plugins = self.profile / "plugins"
+        self.plugins.mkdir(parents=True)
+        self.plugin("new", "catch-me", "--into", windows_path(self.folder))
+        self.made = self.folder / "catch-me"
+
+    def plugin(self, *arguments, code=0):
+        program = self.desk.start(CTL, "--profile", windows_path(self.profile), "plugin", *arguments)
+        self.assertEqual(program.wait(60), code, program.text())
+        return program.text()
+
+    def test_links_to_folders_are_not_followed(self):
+        # Wine shows what links to a folder here as what Windows calls a reparse point.
+        outside = self.folder / "outside"
+        outside.mkdir()
+        (outside / "file.lua").write_text("stays")
+        (self.made / "lib").symlink_to(outside)
+        said = "lib: is a link, but not to a file of the plugin"
+        self.assertIn(said, self.plugin("check", windows_path(self.made), code=1))
+        self.assertIn(said, self.plugin("install", windows_path(self.made), code=1))
+        self.assertEqual(list(self.plugins.iterdir()), [])
+        self.made.rename(self.plugins / "catch-me")
+        # Wine lets no program remove such a link; Windows does.
+        self.assertIn("cannot be removed", self.plugin("remove", "catch-me", "--yes", code=1))
+        self.assertEqual((outside / "file.lua").read_text(), "stays")
 
 
 if __name__ == "__main__":
