@@ -117,6 +117,9 @@ std::span<const std::string_view> event_names();
 std::string_view side_name(Side side);
 std::string_view button_name(Button button);
 
+/// Adds what a script or a plugin uses: pets, memory, units, errors, and what it hears of.
+void add_use(nlohmann::ordered_json& item, std::size_t pets, const ScriptUse& use);
+
 /// "3.1" for index 3, generation 1.
 std::string pet_text(PetId id);
 std::optional<PetId> pet_from_text(std::string_view text);

@@ -23,6 +23,7 @@ json list_of(const Daemon& daemon) {
             item["permissions"] = entry.plugin->permissions;
             item["missing"] = entry.missing;
         }
+        add_use(item, daemon.pets_of(entry.id), daemon.use_of(entry.id));
         item["error"] = entry.problem.empty() ? daemon.error_of(entry.id) : entry.problem;
         list.push_back(std::move(item));
     }
@@ -70,7 +71,8 @@ constexpr std::array plugins_parameters{
 constexpr std::array table{
     Verb{
         "plugins",
-        "Shows the plugins, what they may and what is wrong with them; allows or denies one what "
+        "Shows the plugins, what they may, what they use and what is wrong with them; allows or "
+        "denies one what "
         "it asks for.",
         plugins_parameters,
         "plugins allow weather",

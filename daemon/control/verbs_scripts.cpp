@@ -38,12 +38,10 @@ const char* state_of(const ScriptStatus& script) {
 Outcome scripts(VerbContext& context, const json&) {
     json list = json::array();
     for (const ScriptStatus& script : context.daemon.script_states()) {
-        list.push_back(
-            {{"name", script.name},
-             {"state", state_of(script)},
-             {"bytes", script.bytes},
-             {"error", script.error}}
-        );
+        json item{{"name", script.name}, {"state", state_of(script)}, {"bytes", script.bytes}};
+        add_use(item, script.pets, script.use);
+        item["error"] = script.error;
+        list.push_back(std::move(item));
     }
     return json{{"scripts", std::move(list)}};
 }
@@ -228,7 +226,15 @@ constexpr std::array eval_parameters{
 };
 
 constexpr std::array table{
-    Verb{"scripts", "Shows the scripts, and the latest error of each.", {}, "scripts", scripts},
+    Verb{
+        "scripts",
+        "Shows the scripts: the bytes of each one's text and of its memory, the work units and "
+        "errors "
+        "since it was loaded, its pets, the events that it hears of, and its latest error.",
+        {},
+        "scripts",
+        scripts
+    },
     Verb{"scripts on", "Lets a script run.", one_script, "scripts on fountain.lua", switch_on},
     Verb{
         "scripts off",
@@ -265,6 +271,19 @@ constexpr std::array table{
 };
 
 }  // namespace
+
+void add_use(json& item, std::size_t pets, const ScriptUse& use) {
+    item["pets"] = pets;
+    item["memory"] = use.memory;
+    item["units"] = use.units;
+    item["errors"] = use.errors;
+    item["hears"] = json::array();
+    for (std::size_t kind = 0; kind < event_names().size(); ++kind) {
+        if (use.listening.has(static_cast<EventKind>(kind))) {
+            item["hears"].push_back(event_names()[kind]);
+        }
+    }
+}
 
 std::span<const Verb> script_verbs() {
     return table;

@@ -60,6 +60,8 @@ struct ScriptStatus {
     bool on = false;
     bool ended = false;   ///< By its limits, or because its text has an error.
     std::string error{};  ///< The latest one.
+    std::size_t pets = 0;
+    ScriptUse use{};
 };
 
 class Daemon {
@@ -84,6 +86,9 @@ public:
 
     // For people who write scripts: daemon_scripts.cpp
     std::vector<ScriptStatus> script_states() const;
+    /// Of a script or plugin: what it uses, and how many pets it owns.
+    ScriptUse use_of(const std::string& script) const { return scripts_.use_of(script); }
+    std::size_t pets_of(const std::string& owner) const;
     /// The whole name: a developer's scripts can be named without what stands in front of it.
     [[nodiscard]] Result<std::string> find_script(std::string_view name) const;
     /// Adds a script that lasts until the daemon ends, or starts it anew; its whole name.

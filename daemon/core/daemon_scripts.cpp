@@ -20,6 +20,8 @@ std::vector<ScriptStatus> Daemon::script_states() const {
             .on = source != sources_.end(),
             .ended = std::ranges::find(ended, name) != ended.end(),
             .error = error_of(name),
+            .pets = pets_of(name),
+            .use = use_of(name),
         });
     };
     for (const std::string& name : script_names_) {
@@ -29,6 +31,12 @@ std::vector<ScriptStatus> Daemon::script_states() const {
         add(script.name);
     }
     return states;
+}
+
+std::size_t Daemon::pets_of(const std::string& owner) const {
+    std::size_t pets = 0;
+    engine_.for_each([&](PetId, const Pet& pet) { pets += pet.owner == owner ? 1U : 0U; });
+    return pets;
 }
 
 Result<std::string> Daemon::find_script(std::string_view name) const {

@@ -76,6 +76,7 @@ void ScriptBridge::load(std::vector<ScriptSource> sources) {
         return now == texts.end() || before == texts_.end() ||
                !now->second.has_text_of(before->second);
     });
+    std::erase_if(uses_, [&](const auto& use) { return !texts.contains(use.first); });
     texts_ = std::move(texts);
     pressed_hotkeys_.clear();
     host_->load(std::move(sources));
@@ -190,6 +191,11 @@ void ScriptBridge::use(Engine& engine, ScriptOutput output) {
     }
     if (output.lost) {
         forget_hotkeys(output.commands);
+        uses_.clear();
+    }
+    for (ScriptUse& use : output.uses) {
+        std::string script = use.script;
+        uses_[std::move(script)] = std::move(use);
     }
     engine.listen(output.listening);
     next_wake_ = output.next_wake;

@@ -79,6 +79,11 @@ public:
         const auto found = errors_.find(script);
         return found == errors_.end() ? std::string() : found->second;
     }
+    /// As far as it has been heard; all nothing for a script that does not run.
+    ScriptUse use_of(const std::string& script) const {
+        const auto found = uses_.find(script);
+        return found == uses_.end() ? ScriptUse{} : found->second;
+    }
     /// When run() has something to do, apart from events.
     Ticks next_wake() const;
 
@@ -134,6 +139,7 @@ private:
     Ticks next_wake_ = never;
     std::set<std::string_view> refused_;  // Verbs that have been told of.
     std::map<std::string, std::string> errors_;
+    std::map<std::string, ScriptUse> uses_;      // By script.
     std::map<std::string, ScriptSource> texts_;  // By name, as loaded.
     std::set<std::string> retired_;
     std::vector<std::string> given_up_;

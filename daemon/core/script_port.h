@@ -206,6 +206,16 @@ struct ScriptTest {
     double seconds = 0.0;  ///< Of the pets' time.
 };
 
+/// What a script has come to since its text was loaded.
+struct ScriptUse {
+    std::string script;
+    std::uint64_t units = 0;   ///< Of work, all calls together.
+    std::uint64_t memory = 0;  ///< Of its Lua state now [bytes].
+    std::uint64_t errors = 0;  ///< Repeated ones, too.
+    EventMask listening{};
+    bool operator==(const ScriptUse&) const = default;
+};
+
 /// What scripts did in one run.
 struct ScriptOutput {
     std::vector<ScriptCommand> commands;  ///< In the order in which they were given.
@@ -221,6 +231,7 @@ struct ScriptOutput {
     /// said by scripts.
     bool lost = false;
     std::vector<Evaluated> evaluated{};
+    std::vector<ScriptUse> uses{};  ///< Of those for whom it has changed in this run.
     /// Names of scripts that were killed too often to run again. Not over the wire.
     std::vector<std::string> given_up{};
 };

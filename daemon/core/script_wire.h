@@ -23,7 +23,7 @@ namespace hyrax::wire {
 
 using Bytes = std::vector<std::byte>;
 
-inline constexpr std::uint8_t version = 3;
+inline constexpr std::uint8_t version = 4;
 /// Length, version and type.
 inline constexpr std::size_t header_bytes = 6;
 /// Of what follows the length. A message of more is broken.

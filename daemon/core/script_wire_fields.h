@@ -262,6 +262,14 @@ void fields(auto& wire, Is<ScriptTest> auto& test) {
     wire.finite(test.seconds);
 }
 
+void fields(auto& wire, Is<ScriptUse> auto& use) {
+    wire.line(use.script, longest_name);
+    wire.whole(use.units);
+    wire.whole(use.memory);
+    wire.whole(use.errors);
+    wire.events(use.listening);
+}
+
 void fields(auto& wire, Is<ScriptOutput> auto& output) {
     wire.list(output.commands, most_commands);
     wire.list(output.log, most_lines);
@@ -271,6 +279,7 @@ void fields(auto& wire, Is<ScriptOutput> auto& output) {
     wire.list(output.tests, most_tests);
     wire.whole(output.open_tests);
     wire.list(output.evaluated, most_told);
+    wire.list(output.uses, most_scripts);
 }
 
 /// Without what only the other process can know.

@@ -25,6 +25,7 @@ struct Loaded {
     std::unique_ptr<Script> script;
     std::optional<ScriptSource> refused{};  ///< A newer text that failed.
     bool is_new = false;
+    ScriptUse told{};  ///< As the last output has it.
 
     bool runs(const ScriptSource& other) const {
         return source.name == other.name && source.has_text_of(other) && runs_alike(other);
@@ -93,6 +94,7 @@ public:
                 output.ended.push_back(place);
             }
         }
+        tell_of_uses(output);
         if (world.ending) {
             for (const Loaded& each : std::exchange(scripts_, {})) {
                 each.script->unload("exit");
@@ -154,6 +156,15 @@ private:
         }
         const Turn turn(limits_.pulse, static_cast<std::size_t>(found - scripts_.begin()));
         found->script->evaluate(wanted);
+    }
+
+    void tell_of_uses(ScriptOutput& output) {
+        for (Loaded& each : scripts_) {
+            if (ScriptUse use = each.script->use(); use != each.told) {
+                each.told = use;
+                output.uses.push_back(std::move(use));
+            }
+        }
     }
 
     // Pets may have been spawned by a host before this one.

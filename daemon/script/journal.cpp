@@ -63,6 +63,7 @@ void Journal::tell(LogLevel level, std::string text) {
 }
 
 bool Journal::error(std::string_view message, const CallTrace& trace) {
+    ++errors_;
     const std::string text = located(message, trace);
     if (times_.size() >= most_messages && !times_.contains(text)) {
         times_.clear();
@@ -95,6 +96,7 @@ bool Journal::error(std::string_view message, const CallTrace& trace) {
 }
 
 void Journal::ended(const std::string& reason, const CallTrace& trace) {
+    ++errors_;
     tell(LogLevel::error, located(reason + "; stopped until it is loaded again", trace));
     tell_frames(trace);
 }

@@ -31,6 +31,7 @@ public:
     void ended(const std::string& reason, const CallTrace& trace);
 
     const std::string& script() const { return script_; }
+    std::uint64_t errors() const { return errors_; }
 
 private:
     std::string located(std::string_view message, const CallTrace& trace) const;
@@ -42,6 +43,7 @@ private:
     Ticks now_ = 0;
     double credit_;  ///< Lines that may be said now.
     std::uint64_t dropped_ = 0;
+    std::uint64_t errors_ = 0;
     std::unordered_map<std::string, std::uint64_t> times_;  ///< By message.
     std::deque<Ticks> recent_errors_;
 };

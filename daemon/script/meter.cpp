@@ -28,6 +28,7 @@ void Meter::begin(std::int64_t units, std::chrono::nanoseconds time) {
     if (limits_.pulse != nullptr) {
         limits_.pulse->call();
     }
+    used_ = used();
     budget_ = units;
     units_ = units;
     time_ = time;

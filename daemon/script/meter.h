@@ -48,6 +48,8 @@ public:
     void condemn(lua_State* lua) { condemn(lua, budget_spent()); }
     const Verdict& verdict() const { return verdict_; }
     std::size_t heap() const { return heap_; }
+    /// Units that all calls so far have used.
+    std::uint64_t used() const { return used_ + static_cast<std::uint64_t>(budget_ - units_); }
 
     /// Makes this coroutine, and those that it creates, count their instructions.
     static void watch(lua_State* lua);
@@ -67,7 +69,9 @@ private:
     std::chrono::nanoseconds processor_time() const;
 
     const ScriptLimits& limits_;
-    std::int64_t budget_ = 0;
+    std::uint64_t used_ = 0;  // By the calls before this one.
+    // Of this call.
+    std::int64_t budget_ = INT64_MAX;
     std::int64_t units_ = INT64_MAX;
     std::chrono::nanoseconds time_{};
     std::optional<std::chrono::nanoseconds> half_time_;  // Processor time at about the half of it.

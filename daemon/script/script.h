@@ -68,6 +68,9 @@ public:
     /// Ended by its limits or never loaded: for good.
     bool ended() const { return lua_ == nullptr || meter.killed(); }
     EventMask listening() const { return active() ? schedule.listening() : EventMask{}; }
+    ScriptUse use() const {
+        return {name(), meter.used(), meter.heap(), journal.errors(), listening()};
+    }
     Ticks next_wake() const { return active() ? schedule.next_wake() : never; }
 
     // --- for the functions that the script calls ---

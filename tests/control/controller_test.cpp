@@ -153,13 +153,58 @@ TEST_CASE("reload tells what is wrong, scripts are shown") {
         [&daemon] { daemon.recorded.config("{"); },
     });
     daemon.run();
-    CHECK(
-        daemon.result(0)["scripts"] ==
-        json{{{"name", "a.lua"}, {"state", "on"}, {"bytes", 11}, {"error", ""}}}
-    );
+    const json script = daemon.result(0)["scripts"][0];
+    CHECK(script["name"] == "a.lua");
+    CHECK(script["state"] == "on");
+    CHECK(script["bytes"] == 11);
+    CHECK(script["error"] == "");
     CHECK(daemon.result(1) == json::object());
     CHECK(daemon.refusal(2).starts_with("problem: "));
     CHECK(daemon.refusal(2).contains("config.json:1:2: "));
+}
+
+TEST_CASE("what scripts and plugins use is shown") {
+    AskedDaemon asked(9.0);
+    asked.recorded.script("a.lua", R"(
+        hyrax.spawn{ x = 100, y = 0 }
+        hyrax.on("land", function() end)
+        hyrax.on("click", function() end)
+        hyrax.every(1, function() error("oh") end)
+    )");
+    asked.recorded.script("b.lua", "local kept = ('x'):rep(100000) function f() return kept end");
+    asked.recorded.folder.write(
+        "plugins/rock/plugin.json",
+        R"({"manifest": 1, "id": "rock", "version": "1.0.0", "api": "1.0", "name": "Rock"})"
+    );
+    asked.recorded.folder.write(
+        "plugins/rock/main.lua", "hyrax.spawn() hyrax.spawn() for i = 1, 100000 do end"
+    );
+    asked.at(3.5, R"({"do": "scripts"})");
+    asked.at(3.5, R"({"do": "plugins"})");
+    asked.at(6.5, R"({"do": "scripts"})");
+    asked.at(6.5, R"({"do": "scripts off", "script": "a.lua"})");
+    asked.at(8.0, R"({"do": "scripts"})");
+    asked.run();
+    const json before = asked.result(0)["scripts"];
+    CHECK(before[0]["pets"] == 1);
+    CHECK(before[0]["errors"] == 3);
+    CHECK(before[0]["hears"] == json{"land", "click"});
+    CHECK(before[1]["errors"] == 0);
+    CHECK(before[1]["memory"].get<int>() - before[0]["memory"].get<int>() > 90'000);
+    const json plugins = asked.result(1)["plugins"];
+    const auto rock =
+        std::ranges::find_if(plugins, [](const json& one) { return one["id"] == "rock"; });
+    REQUIRE(rock != plugins.end());
+    CHECK((*rock)["pets"] == 2);
+    CHECK((*rock)["units"] > 100'000);
+    const json after = asked.result(2)["scripts"];
+    CHECK(after[0]["errors"] == 6);
+    CHECK(after[0]["units"] > before[0]["units"]);
+    CHECK(after[1]["units"] == before[1]["units"]);
+    const json off = asked.result(4)["scripts"];
+    CHECK(off[0]["state"] == "off");
+    CHECK(off[0]["units"] == 0);
+    CHECK(off[0]["pets"] == 1);
 }
 
 TEST_CASE("plugins are listed, allowed and denied") {

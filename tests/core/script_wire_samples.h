@@ -200,6 +200,7 @@ public:
         }
         if (flip()) {
             output.listening.add(EventKind::land);
+            output.uses.push_back({line(), random_(), below(99), below(9), output.listening});
         }
         output.open_tests = below(9);
         output.next_wake = flip() ? never : static_cast<Ticks>(random_());

@@ -119,6 +119,7 @@ TEST_CASE("sources, limits and answers are read again") {
     output.ended = {3};
     output.tests = {{"a.lua", "falls", "a.lua:2: expected 2, got 1", 0.5}};
     output.open_tests = 4;
+    output.uses = {{"a.lua", 1'000, 2'000, 3, output.listening}};
     const Answer answer = decode_answer(body(answer_with(output))).value();
     CHECK(std::get<command::Spawn>(answer.output.commands.at(0)).options.kind == "rock");
     CHECK(answer.output.log.at(0).level == LogLevel::warning);
@@ -131,6 +132,7 @@ TEST_CASE("sources, limits and answers are read again") {
     CHECK(answer.output.tests[0].problem == "a.lua:2: expected 2, got 1");
     CHECK(answer.output.tests[0].seconds == 0.5);
     CHECK(answer.output.open_tests == 4);
+    CHECK(answer.output.uses == output.uses);
 }
 
 TEST_CASE("commands of looks, walks and wishes are read again") {
@@ -240,7 +242,7 @@ TEST_CASE("what a host must not say is refused by name") {
     CHECK(problem_with(logged, 27, '\n').contains("control character"));
     CHECK(problem_with(logged, 23, 200).contains("longer than its message"));
     CHECK(problem_with(logged, 25, 1).contains("too long"));
-    CHECK(problem_with(logged, 14, 50).contains("list is longer"));
+    CHECK(problem_with(logged, 14, 120).contains("list is longer"));
     CHECK(problem_with(logged, 17, 50).contains("too many"));
 
     const Bytes spawned = answer_with(command::Spawn{script_made_key, {}});
