@@ -162,6 +162,12 @@ int run_on(
     return exit_ok;
 }
 
+std::unique_ptr<hyrax::ScriptHost> remote_scripts(hyrax::RealTimeDesktop& desktop) {
+    auto channel = std::make_unique<hyrax::ChildProcess>();
+    desktop.listen_to_scripts([&process = *channel] { return process.wire(); });
+    return std::make_unique<hyrax::RemoteScriptHost>(std::move(channel));
+}
+
 int serve(
     const std::vector<hyrax::Monitor>& monitors,
     hyrax::DaemonOptions options,
@@ -174,6 +180,9 @@ int serve(
     }
     hyrax::RealTimeDesktop desktop(monitors, span, *std::move(control));
     options.control = hyrax::make_controller(hyrax::save_file);
+    if (line.script_process) {
+        options.scripts = remote_scripts(desktop);
+    }
     return run_on(desktop, monitors, std::move(options), line);
 }
 

@@ -181,10 +181,10 @@ std::variant<HeadlessCommandLine, Farewell> parse_headless_arguments(
     app.add_flag(
            "--script-process",
            line.script_process,
-           "Run scripts in a process of their own, as hyrax.exe does; time waits for it"
+           "Run scripts in a process of their own, as hyrax.exe does; the virtual clock waits for "
+           "it"
     )
         ->excludes("--test")
-        ->excludes("--serve")
         ->excludes("--real-time");
     if (std::optional<Farewell> farewell = parse(app, arguments)) {
         return *std::move(farewell);

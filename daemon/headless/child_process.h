@@ -32,6 +32,8 @@ public:
 
     /// 0: no process.
     pid_t id() const { return pid_; }
+    /// Becomes readable when there is something to hear; -1: no process.
+    int wire() const { return wire_.raw(); }
 
 private:
     struct Unmap {

@@ -75,7 +75,7 @@ std::vector<Input> RealTimeDesktop::wait(Ticks deadline) {
             return inbox;
         }
         const Ticks control_due = control_ ? control_->due() : never;
-        sleep_until(std::min({deadline, end_, overlay_.due(), control_due}));
+        sleep_until(std::min({deadline, end_, overlay_.due(), control_due}), inbox);
     }
 }
 
@@ -91,12 +91,16 @@ bool RealTimeDesktop::told_to_quit() {
     return quit;
 }
 
-void RealTimeDesktop::sleep_until(Ticks due) {
+void RealTimeDesktop::sleep_until(Ticks due, std::vector<Input>& inbox) {
     const Ticks time = now();
     if (due <= time) {
         return;
     }
-    std::vector<pollfd> watched{{.fd = signals_.descriptor(), .events = POLLIN, .revents = 0}};
+    const int scripts = script_wire_ ? script_wire_() : -1;
+    std::vector<pollfd> watched{
+        {.fd = signals_.descriptor(), .events = POLLIN, .revents = 0},
+        {.fd = scripts, .events = POLLIN, .revents = 0},
+    };
     if (control_) {
         control_->poll_for(watched);
     }
@@ -105,6 +109,9 @@ void RealTimeDesktop::sleep_until(Ticks due) {
         ::ppoll(watched.data(), watched.size(), due == never ? nullptr : &span, nullptr);
     ++counters_.wakeups;
     counters_.timer_wakeups += ready == 0 ? 1U : 0U;
+    if (watched[1].revents != 0) {
+        inbox.emplace_back(input::ScriptsHeard{});
+    }
 }
 
 void RealTimeDesktop::answer(ClientId client, std::string_view text, Answer which) {

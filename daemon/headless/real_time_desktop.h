@@ -42,6 +42,10 @@ public:
     /// Called from wait() for each SIGUSR1.
     void on_statistics_request(std::function<void()> tell) { tell_ = std::move(tell); }
 
+    /// Scripts in another process have something to say when this descriptor can be read; asked for
+    /// before each sleep, negative: nobody has.
+    void listen_to_scripts(std::function<int()> wire) { script_wire_ = std::move(wire); }
+
     Ticks now() override;
     std::vector<Input> wait(Ticks deadline) override;
     void present(const Frame& frame) override;
@@ -55,7 +59,7 @@ public:
     DesktopCounters counters() const;
 
 private:
-    void sleep_until(Ticks due);
+    void sleep_until(Ticks due, std::vector<Input>& inbox);
     bool told_to_quit();
 
     SignalWatch signals_;
@@ -63,6 +67,7 @@ private:
     Ticks end_;
     std::optional<ControlSocket> control_;
     std::function<void()> tell_;
+    std::function<int()> script_wire_;
     MemoryOverlay overlay_;
     DesktopCounters counters_;
 };

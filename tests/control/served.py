@@ -32,6 +32,9 @@ def wait_for(condition, seconds, what):
 class Served(unittest.TestCase):
     """A daemon of its own, in a runtime folder of its own."""
 
+    config = CONFIG
+    options = ()
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -39,13 +42,13 @@ class Served(unittest.TestCase):
         self.runtime.mkdir(mode=0o700)
         self.profile = pathlib.Path(folder.name) / "profile"
         (self.profile / "scripts").mkdir(parents=True)
-        (self.profile / "config.json").write_text(CONFIG)
+        (self.profile / "config.json").write_text(self.config)
         self.environment = {**os.environ, "XDG_RUNTIME_DIR": str(self.runtime)}
         self.daemon = self.start()
 
     def start(self):
         daemon = subprocess.Popen(
-            [HEADLESS, "--serve", "--config", self.profile / "config.json"],
+            [HEADLESS, "--serve", "--config", self.profile / "config.json", *self.options],
             env=self.environment, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True,
         )  # fmt: skip
         self.addCleanup(self.end, daemon)

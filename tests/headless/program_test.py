@@ -120,11 +120,14 @@ class Program(unittest.TestCase):
             self.assertEqual(json.loads((state / "store" / "last.lua.json").read_text()), {"why": "exit"})
 
     def test_options_that_would_do_nothing_are_refused(self):
-        for option in (["--windows", "w.csv"], ["--script-process"]):
-            for clock in ("--real-time", "--serve"):
-                done = run(*option, clock, "--seconds", 1)
-                self.assertNotEqual(done.returncode, 0)
-                self.assertIn(f"{clock} excludes {option[0]}", done.stderr)
+        for clock, option in (
+            ("--real-time", ["--windows", "w.csv"]),
+            ("--serve", ["--windows", "w.csv"]),
+            ("--real-time", ["--script-process"]),
+        ):
+            done = run(*option, clock, "--seconds", 1)
+            self.assertNotEqual(done.returncode, 0)
+            self.assertIn(f"{clock} excludes {option[0]}", done.stderr)
 
     def test_settings_that_surprise_are_explained(self):
         config = self.folder / "config.json"
