@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Targets for the third-party sources that dependencies.json pins: hyrax::lua, sol2, json, log,
-# doctest, cli. All presets, mingw's included, see only the staged copies, never /usr/include.
+# doctest, cli, minizip. All presets, mingw's included, see only the staged copies, never /usr/include.
 # Include after project() and after compiler.cmake, whose sanitizer flags Lua must get, too.
 
 set(HYRAX_THIRD_PARTY "${CMAKE_CURRENT_LIST_DIR}/../build/third_party" CACHE PATH
@@ -11,7 +11,7 @@ find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter)
 
 # A folder of the user's wins: cache variable here, environment variable in the script.
 set(given)
-foreach(name IN ITEMS lua sol2 nlohmann_json spdlog fmt doctest cli11)
+foreach(name IN ITEMS lua sol2 nlohmann_json spdlog fmt doctest cli11 zlib)
     string(TOUPPER "HYRAX_${name}_DIR" variable)
     set(${variable} "" CACHE PATH "Folder with the sources of ${name} (empty: see dependencies.json)")
     mark_as_advanced(${variable})
@@ -73,6 +73,22 @@ else()
     # `pairs` walks in the order of hashes: with a seed of its own, every run would take another
     # order. Colliding keys made on purpose cost their script its own time limit.
     target_compile_options(hyrax_lua PRIVATE "-Dluai_makeseed(L)=0x68797261u")
+endif()
+
+# What opens zip files: of zlib the half that inflates, and the reader that comes with it. Its names
+# get a prefix, so that libpng on Linux goes on with the system's zlib.
+set(zlib_folder "${HYRAX_THIRD_PARTY}/zlib/src")
+set(zlib_units adler32 crc32 inffast inflate inftrees zutil contrib/minizip/ioapi contrib/minizip/unzip)
+list(TRANSFORM zlib_units PREPEND "${zlib_folder}/")
+list(TRANSFORM zlib_units APPEND ".c" OUTPUT_VARIABLE zlib_sources)
+add_library(hyrax_minizip STATIC ${zlib_sources})
+add_library(hyrax::minizip ALIAS hyrax_minizip)
+target_include_directories(hyrax_minizip SYSTEM PUBLIC "${zlib_folder}" "${zlib_folder}/contrib")
+target_compile_definitions(hyrax_minizip PUBLIC Z_PREFIX)
+if(MSVC)
+    target_compile_options(hyrax_minizip PRIVATE /W0) # untried
+else()
+    target_compile_options(hyrax_minizip PRIVATE -w -fstack-protector-strong)
 endif()
 
 target_compile_definitions(hyrax_dep_sol2 INTERFACE

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Zip files of strangers. The build picks the room that opens them; what of them may reach the disk
-// is decided here.
+// Zip files of strangers: what of them may reach the disk.
 #pragma once
 
 #include "daemon/core/result.h"
@@ -39,7 +38,7 @@ public:
     [[nodiscard]] virtual Result<void> read(const Sink& sink) = 0;
 };
 
-/// Fails for what is no zip file, or where the program cannot open any.
+/// Fails for what is no zip file, and for one larger than a plugin may be. Held in memory.
 [[nodiscard]] Result<std::unique_ptr<Archive>> open_archive(const std::filesystem::path& file);
 
 /// The name as a path below a folder. Fails for absolute paths, "..", drives, devices, names that

@@ -73,7 +73,7 @@ A pet's id, such as `3.1`, is never used again for another pet.
 | `hyraxctl repl [script]` | runs Lua line by line in a script, by `eval`; without a name in one of its own, which ends with it. `:quit` or the end of input ends it. Reads pipes as well, and then ends with 1 if anything failed. Only if `scripts.developer` is true. |
 | `hyraxctl plugin new ID [--into FOLDER]` | makes a folder with a plugin that works |
 | `hyraxctl plugin check FOLDER` | reads a plugin and runs it for a minute of its own time, and the cases that it makes with `hyrax.test`; tells errors as compilers do. Needs no daemon, and runs in hyraxctl's own process. |
-| `hyraxctl plugin install FROM [--replace]` | puts a copy of a folder or, on Linux, of a zip file into `plugins` of the profile. It is read and checked before it takes its place; nothing of it runs. Refused: links, what is encrypted, names that are not safe on every system, more than 200 files or 32 MiB. |
+| `hyraxctl plugin install FROM [--replace]` | puts a copy of a folder or of a zip file into `plugins` of the profile. It is read and checked before it takes its place; nothing of it runs. Refused: links, what is encrypted, names that are not safe on every system, more than 200 files or 32 MiB. |
 | `hyraxctl plugin remove ID [--yes]` | removes that folder; asks before |
 | `hyraxctl completion bash`, `powershell` | prints what completes command lines |
 | `hyraxctl manual` | prints this |

@@ -5,10 +5,12 @@ Usage: test_control.py hyrax.exe hyraxctl.exe
 """
 
 import json
+import stat
 import sys
 import tempfile
 import time
 import unittest
+import zipfile
 from pathlib import Path
 
 import desktop
@@ -149,6 +151,43 @@ class Plugins(unittest.TestCase):
         program = self.desk.start(CTL, "--profile", windows_path(self.profile), "plugin", *arguments)
         self.assertEqual(program.wait(60), code, program.text())
         return program.text()
+
+    def zipped(self, *more):
+        """A zip file of what was made, and more entries of (name or ZipInfo, text)."""
+        path = self.folder / "catch-mé.zip"
+        with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+            for file in self.made.iterdir():
+                archive.write(file, f"catch-me-main/{file.name}")
+            for entry, text in more:
+                archive.writestr(entry, text)
+        return path
+
+    def test_zip_files(self):
+        self.plugin("install", windows_path(self.zipped()))
+        main = self.plugins / "catch-me" / "main.lua"
+        self.assertEqual(main.read_bytes(), (self.made / "main.lua").read_bytes())
+        self.assertIn("--replace", self.plugin("install", windows_path(self.zipped()), code=1))
+        self.plugin("remove", "catch-me", "--yes")
+        link = zipfile.ZipInfo("link.lua")
+        link.create_system = 3
+        link.external_attr = (stat.S_IFLNK | 0o777) << 16
+        for entry, text, said in (
+            ("../evil.lua", "x", "safe"),
+            ("/evil.lua", "x", "safe"),
+            ("C:/evil.lua", "x", "safe"),
+            ("aux.lua", "x", "safe"),
+            ("bomb.txt", "0" * (33 << 20), "32 MiB"),
+            (link, "/etc/passwd", "is a link"),
+        ):
+            with self.subTest(entry=entry):
+                self.assertIn(said, self.plugin("install", windows_path(self.zipped((entry, text))), code=1))
+                self.assertEqual(list(self.plugins.iterdir()), [])
+        whole = self.zipped()
+        for length in (0, 10, whole.stat().st_size // 2):
+            whole.write_bytes(whole.read_bytes()[:length])
+            self.assertIn("neither a folder nor a zip file", self.plugin("install", windows_path(whole), code=1))
+            whole = self.zipped()
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["catch-me", whole.name, "profile"])
 
     def test_links_to_folders_are_not_followed(self):
         # Wine shows what links to a folder here as what Windows calls a reparse point.

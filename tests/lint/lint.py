@@ -29,9 +29,9 @@ ROOMS = {
     "daemon/core/": {"std", "intrinsics", "physics", "core", "log"},
     "daemon/script/": {"std", "physics", "script", "core", "log", "lua"},
     "daemon/check/": {"std", "check", "core", "script", "log"},
-    "daemon/control/": {"std", "control", "core", "log", "json", "cli"},
+    "daemon/control/": {"std", "control", "core", "log", "json", "cli", "minizip"},
     "daemon/win32/": {"std", "physics", "win32", "core", "control", "log", "windows"},
-    "daemon/headless/": {"std", "physics", "headless", "core", "control", "log", "posix", "png", "freetype", "minizip", "seccomp"},
+    "daemon/headless/": {"std", "physics", "headless", "core", "control", "log", "posix", "png", "freetype", "seccomp"},
     "daemon/main_": {"std", "physics", "core", "script", "control", "check", "win32", "headless", "log", "cli", "windows", "posix"},
     "tests/": None,  # anything
 }
