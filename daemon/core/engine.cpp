@@ -266,16 +266,6 @@ void Engine::place(Pet& pet, Vec2 position) {
     pet.home = arena_.box_near({at.x + size.width / 2.0, at.y + size.height / 2.0});
 }
 
-// Its motion begins anew, at the next start of its body.
-void Engine::relaunch(Pet& pet, Vec2 velocity) {
-    pet.shown.velocity = velocity;
-    pet.body.launch(pet.position(), velocity, rules_, around(pet), wall_events());
-    pet.started = false;
-    if (pet.walk) {
-        pet.walk->begun = false;
-    }
-}
-
 void Engine::set_in_motion(PetId id, Pet& pet, Vec2 velocity) {
     relaunch(pet, velocity);
     refresh_frozen(id, pet);

@@ -86,6 +86,19 @@ void Engine::advance(PetId id, Pet& pet, Ticks now) {
     pet.awake = pet.shown.mode != Mode::rest;
 }
 
+// Its motion begins anew, at the next start of its body.
+void Engine::relaunch(Pet& pet, Vec2 velocity) {
+    pet.shown.velocity = velocity;
+    pet.body.launch(pet.position(), velocity, rules_, around(pet), wall_events());
+    pet.started = false;
+    if (pet.walk) {
+        pet.walk->begun = false;
+    } else if (pet.motion == Motion::walking) {
+        pet.motion = motion_of(pet.body.mode());
+        pet.since = now_;
+    }
+}
+
 void Engine::meet(PetId id, Pet& pet, const TrajectoryEvent& event) {
     ++contacts_;
     const std::optional<Side> side = side_of(event.kind);

@@ -118,6 +118,8 @@ TEST_CASE("flings, hands, stops and resets end a walk; another walk replaces it 
         REQUIRE(world.pet(id).motion == Motion::walking);
         verb();
         CHECK_FALSE(world.pet(id).walk.has_value());
+        // At once, not with the next frame.
+        CHECK(world.pet(id).motion != Motion::walking);
         world.run(0.1);
         CHECK(world.pet(id).motion != Motion::walking);
         world.run(9.0);
