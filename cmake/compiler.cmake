@@ -74,8 +74,8 @@ function(hyrax_defaults target)
     endif()
 endfunction()
 
-# For libraries that are many templates and little work: a third smaller, and not to be noticed. The
-# warning is false, as with sanitizers.
+# For code that is many templates and little work: a third smaller, and what 100 flying pets cost
+# stays the same. The warning is false, as with sanitizers.
 function(hyrax_prefer_small target)
     if(MINGW)
         target_compile_options(${target} PRIVATE "$<$<CONFIG:Release>:-Os;-Wno-maybe-uninitialized>")

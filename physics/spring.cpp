@@ -155,12 +155,11 @@ Vec2 Spring::place(Ticks time) const {
     if (time >= glide_.start) {
         return at(time).position;
     }
-    const std::size_t oldest = passed_ - std::min(passed_, past_.size());
-    std::size_t i = passed_;
-    do {
-        --i;
-    } while (i > oldest && past_[i % past_.size()].glide.start > time);
-    const Segment& then = past_[i % past_.size()];
+    std::size_t age = 1;
+    while (age < remembered() && past(age).glide.start > time) {
+        ++age;
+    }
+    const Segment& then = past(age);
     return on(time < then.hold.start ? then.glide : then.hold, time).position;
 }
 
@@ -168,10 +167,7 @@ Vec2 Spring::place(Ticks time) const {
 // over a whole interval its mean velocity is the hand's.
 Vec2 Spring::mean_velocity(Ticks time) const {
     const Ticks window = std::max(longer_interval(), shortest_window);
-    Ticks first = glide_.start;
-    if (passed_ > 0) {
-        first = past_[(passed_ - std::min(passed_, past_.size())) % past_.size()].glide.start;
-    }
+    const Ticks first = passed_ > 0 ? past(remembered()).glide.start : glide_.start;
     const Ticks start = span_between(first, time) > window ? time - window : first;
     const SpringBody now = at(time);
     const double span = seconds_between(start, time);

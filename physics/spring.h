@@ -105,6 +105,9 @@ private:
     const Leg& leg_at(Ticks time) const { return time < hold_.start ? glide_ : hold_; }
     static Leg moved(const Leg& leg, const SpringMatrix& matrix, Ticks to);
     const SpringMatrix& sample_matrix(Ticks from, Ticks to);
+    std::size_t remembered() const { return std::min(passed_, past_.size()); }
+    /// 1: of the sample before the last one; at most remembered().
+    const Segment& past(std::size_t age) const { return past_[(passed_ - age) % past_.size()]; }
     Ticks longer_interval() const { return std::max(intervals_[0], intervals_[1]); }
     SpringBody on(const Leg& leg, Ticks time) const;
     Vec2 place(Ticks time) const;

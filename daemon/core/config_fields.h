@@ -34,6 +34,7 @@ inline constexpr std::array<std::string_view, 2> resume_names{"go_on", "catch_up
 inline constexpr std::array<std::string_view, 3> motion_names{"auto", "on", "off"};
 /// In the order of Renderer.
 inline constexpr std::array<std::string_view, 2> renderer_names{"blit", "gdiplus"};
+/// In the order of Layer.
 inline constexpr std::array<std::string_view, 3> layer_names{"above_taskbar", "top", "bottom"};
 
 /// In the order of LedgeMode.

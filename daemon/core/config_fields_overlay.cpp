@@ -100,8 +100,7 @@ constexpr std::array overlay_keys{
         {},
         "",
         "Where pets stand among all windows: above them and the taskbar (above_taskbar), above "
-        "them "
-        "until the taskbar comes forward (top), or below them on the wallpaper (bottom).",
+        "them until the taskbar comes forward (top), or below them on the wallpaper (bottom).",
         layer_names
     },
     Field<Config>{

@@ -76,8 +76,8 @@ std::vector<std::string> problems_of(
 /// asks, joined; empty: none.
 std::string asking_text(const std::vector<PluginEntry>& plugins);
 
-/// Appends the sets of plugins that are on. One that cannot be read is told, and
-/// stays as it is in `before`.
+/// Appends the sets of plugins that are on. One that cannot be read is told, and stays as it is in
+/// `before`.
 void add_plugin_kinds(
     LoadedKinds& kinds,
     const std::vector<PluginEntry>& plugins,

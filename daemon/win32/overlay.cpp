@@ -102,9 +102,7 @@ PaneWindow* Overlay::window_on(const Rect& monitor) {
         spdlog::error("{}", created.error().message);
         return nullptr;
     }
-    if (layer_ == Layer::bottom) {
-        (*created)->take_place(layer_);
-    }
+    (*created)->take_place(layer_);
     windows_.push_back(std::move(*created));
     return windows_.back().get();
 }

@@ -60,7 +60,7 @@ void Win32Desktop::notice(UINT message, WPARAM wparam, LPARAM lparam) {
         case front_message:
         case appbar_message:
             front_->hint(time);
-            if (overlay_.visible()) {
+            if (overlay_.visible() && conduct_.layer != Layer::bottom) {
                 topmost_.hint(time);
             }
             return;
