@@ -191,26 +191,26 @@ void RemoteScriptHost::hear() {
         if (!*message) {
             return;
         }
-        const Result<wire::Answer> answer = wire::decode_answer(**message);
+        Result<wire::Answer> answer = wire::decode_answer(**message);
         if (!answer) {
             return end_process(answer.error().message, true);
         }
-        accept(*answer);
+        accept(*std::move(answer));
     }
 }
 
-void RemoteScriptHost::accept(const wire::Answer& answer) {
+void RemoteScriptHost::accept(wire::Answer answer) {
     if (!waiting_ || answer.number != number_) {
         return end_process("broken message: an answer that nobody waits for", true);
     }
     waiting_ = false;
     failures_ = 0;
-    output_ = answer.output;
-    keep_up(answer.output);
-    for (const Evaluated& each : answer.output.evaluated) {
+    output_ = std::move(answer.output);
+    keep_up(*output_);
+    for (const Evaluated& each : output_->evaluated) {
         std::erase(evaluating_, each.id);
     }
-    const bool others_end = put_out(answer.output.ended);
+    const bool others_end = put_out(output_->ended);
     if (fresh_) {
         output_->next_wake = 0;  // Others have been loaded meanwhile.
     } else if (sent_.empty() || (others_end && to_run().empty())) {

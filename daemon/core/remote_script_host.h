@@ -61,7 +61,7 @@ private:
     std::vector<ScriptSource> to_run() const;
     bool start(ScriptOutput& output);
     void hear();
-    void accept(const wire::Answer& answer);
+    void accept(wire::Answer answer);
     void look_after(const ScriptChannel::End& end);
     void end_process(std::string_view reason, bool blame);
     void give_up_evaluations(ScriptOutput& output, const std::string& reason);

@@ -215,6 +215,28 @@ TEST_CASE("redrawing what was drawn equals a full redraw, whoever moves, comes a
     }
 }
 
+TEST_CASE("a part of many rows is drawn without a seam") {
+    const Image ink = filled({50, 70}, 0x80402010U);
+    const Size size{2'000, 1'500};
+    const Rect whole{0, 0, size.width, size.height};
+    Frame before;
+    Frame after;
+    for (int i = 0; i < 60; ++i) {
+        const Point at{i * 33 - 20, i * 26 - 40};
+        before.sprites.push_back({&ink, {0, 0, 50, 70}, at, {}});
+        after.sprites.push_back({&ink, {0, 0, 50, 70}, {at.x + 11, at.y - 5}, {}});
+    }
+    Image drawn(size);
+    compose(PixelView(drawn), {}, whole, before);
+    recompose(PixelView(drawn), {}, std::span(&whole, 1), places_of(before), after);
+
+    Image expected(size);
+    for (const Sprite& sprite : after.sprites) {
+        blit(PixelView(expected), whole, {*sprite.image, sprite.source, sprite.at});
+    }
+    CHECK(drawn.pixels == expected.pixels);
+}
+
 TEST_CASE("late frames keep the grid, a hitch starts a new one") {
     Pacer pacer;
     pacer.set_rate(100.0);

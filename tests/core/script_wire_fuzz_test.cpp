@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Damaged messages, both ways: they decode, or they do not, and nothing else happens.
-// HYRAX_FUZZ_ROUNDS=10000000 in the environment makes it long.
+// Damaged messages, both ways: they decode, or they do not, and nothing else happens. `./dev fuzz`
+// damages many.
 #include "tests/core/script_wire_samples.h"
+#include "tests/support/fuzzing.h"
 
 #include <doctest/doctest.h>
 
-#include <cstdlib>
+#include <cstdint>
 #include <utility>
 
 using namespace hyrax;
@@ -13,9 +14,11 @@ using namespace hyrax::wire;
 
 namespace {
 
-long rounds() {
-    const char* const given = std::getenv("HYRAX_FUZZ_ROUNDS");
-    return given == nullptr ? 20'000 : std::strtol(given, nullptr, 10);
+// Of one seed.
+constexpr long messages = 1'000;
+
+Samples samples_of(std::uint64_t seed) {
+    return Samples(static_cast<std::uint32_t>(seed));
 }
 
 void damage(Bytes& bytes, Samples& samples) {
@@ -77,35 +80,40 @@ bool holds(std::span<const std::byte> message, long& passed) {
 }  // namespace
 
 TEST_CASE("damaged messages are refused or mean exactly what they say") {
-    Samples samples(5);
     long passed = 0;
-    long broken = 0;
-    for (long i = 0; i < rounds(); ++i) {
-        Bytes bytes = samples.message();
-        bytes.erase(bytes.begin(), bytes.begin() + 4);
-        damage(bytes, samples);
-        broken += holds(bytes, passed) ? 0 : 1;
-    }
-    CHECK(broken == 0);
+    const std::uint64_t seeds = fuzz(20, [&passed](std::uint64_t seed) {
+        Samples samples = samples_of(seed);
+        long broken = 0;
+        for (long i = 0; i < messages; ++i) {
+            Bytes bytes = samples.message();
+            bytes.erase(bytes.begin(), bytes.begin() + 4);
+            damage(bytes, samples);
+            broken += holds(bytes, passed) ? 0 : 1;
+        }
+        CHECK(broken == 0);
+    });
     // Some damage is to numbers and texts, which may be anything.
-    CHECK(passed > rounds() / 50);
-    CHECK(passed < rounds());
+    const long all = static_cast<long>(seeds) * messages;
+    CHECK(passed > all / 50);
+    CHECK(passed < all);
 }
 
 TEST_CASE("a stream of noise ends in an error or waits for more") {
-    Samples samples(6);
-    for (long i = 0; i < rounds() / 20; ++i) {
-        MessageStream stream(longest_to_daemon);
-        Bytes noise = samples.message();
-        damage(noise, samples);
-        stream.add(noise);
-        for (int messages = 0; messages < 100; ++messages) {
-            const auto next = stream.next();
-            if (!next || !*next) {
-                break;
+    fuzz(20, [](std::uint64_t seed) {
+        Samples samples = samples_of(seed);
+        for (long i = 0; i < messages / 20; ++i) {
+            MessageStream stream(longest_to_daemon);
+            Bytes noise = samples.message();
+            damage(noise, samples);
+            stream.add(noise);
+            for (int taken = 0; taken < 100; ++taken) {
+                const auto next = stream.next();
+                if (!next || !*next) {
+                    break;
+                }
+                long passed = 0;
+                CHECK(holds(**next, passed));
             }
-            long passed = 0;
-            CHECK(holds(**next, passed));
         }
-    }
+    });
 }

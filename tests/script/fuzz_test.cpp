@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Random programs against the real engine. The long form: script_tests --no-skip -tc="*for long*"
+// Random programs against the real engine; `./dev fuzz` plays many.
 #include "daemon/core/engine.h"
 #include "daemon/core/script_bridge.h"
 #include "daemon/script/script_host.h"
 #include "tests/script/random_program.h"
+#include "tests/support/fuzzing.h"
 
 #include <doctest/doctest.h>
 #include <spdlog/spdlog.h>
@@ -156,24 +157,13 @@ private:
     Ticks now_ = 0;
 };
 
-void play(std::uint64_t first, std::uint64_t count) {
-    const auto level = spdlog::get_level();
-    spdlog::set_level(spdlog::level::off);
-    for (std::uint64_t seed = first; seed < first + count; ++seed) {
-        CAPTURE(seed);
-        Play(seed).run(90);
-    }
-    spdlog::set_level(level);
-}
-
 }  // namespace
 
 TEST_CASE("random programs break nothing") {
-    play(1, 60);
-}
-
-TEST_CASE("random programs break nothing for long" * doctest::skip()) {
-    play(1'000, 20'000);
+    const auto level = spdlog::get_level();
+    spdlog::set_level(spdlog::level::off);
+    fuzz(60, [](std::uint64_t seed) { Play(seed).run(90); });
+    spdlog::set_level(level);
 }
 
 TEST_CASE("random programs do things, right and wrong ones") {
