@@ -31,7 +31,7 @@ bool breaks_lines(char letter) {
 /// Appends one message; its length is filled in at the end.
 class Writer {
 public:
-    Writer(Bytes& bytes, Type type) : bytes_(bytes), begin_(bytes.size()) {
+    Writer(Bytes& bytes, Type type) : bytes_(bytes), begin_(bytes.size()), end_(begin_) {
         whole(std::uint32_t{0});
         whole(version);
         whole(std::to_underlying(type));
@@ -39,15 +39,15 @@ public:
     Writer(const Writer&) = delete;
     Writer& operator=(const Writer&) = delete;
     ~Writer() {
-        const auto length =
-            static_cast<std::uint32_t>(bytes_.size() - begin_ - sizeof(std::uint32_t));
+        bytes_.resize(end_);
+        const auto length = static_cast<std::uint32_t>(end_ - begin_ - sizeof(std::uint32_t));
         std::memcpy(bytes_.data() + begin_, &length, sizeof length);
     }
 
     template <typename T>
     void whole(T value) {
         static_assert(std::is_arithmetic_v<T>);
-        put(&value, sizeof value);
+        std::memcpy(room_for(sizeof value), &value, sizeof value);
     }
     void number(double value) { whole(value); }
     void finite(double value) { whole(value); }
@@ -72,16 +72,16 @@ public:
     void text(std::string_view value, std::size_t longest) {
         const std::string_view cut = value.substr(0, longest);
         whole(static_cast<std::uint32_t>(cut.size()));
-        put(cut.data(), cut.size());
+        std::ranges::copy(std::as_bytes(std::span(cut)), room_for(cut.size()));
     }
     void line(std::string_view value, std::size_t longest) {
         text(value, longest);
-        const auto end = reinterpret_cast<char*>(bytes_.data() + bytes_.size());
+        const auto end = reinterpret_cast<char*>(bytes_.data() + end_);
         std::replace_if(end - std::min(value.size(), longest), end, is_control, '?');
     }
     void lines(std::string_view value, std::size_t longest) {
         text(value, longest);
-        const auto end = reinterpret_cast<char*>(bytes_.data() + bytes_.size());
+        const auto end = reinterpret_cast<char*>(bytes_.data() + end_);
         std::replace_if(end - std::min(value.size(), longest), end, breaks_lines, '?');
     }
     template <typename T>
@@ -118,13 +118,21 @@ public:
     }
 
 private:
-    void put(const void* data, std::size_t size) {
-        const auto* const begin = static_cast<const std::byte*>(data);
-        bytes_.insert(bytes_.end(), begin, begin + size);
+    // A message is thousands of small fields: room is made for many of them at once.
+    std::byte* room_for(std::size_t size) {
+        if (size > bytes_.size() - end_) {
+            grow(size);
+        }
+        return bytes_.data() + std::exchange(end_, end_ + size);
+    }
+    void grow(std::size_t size) {
+        constexpr std::size_t spare = 4'096;
+        bytes_.resize(std::max(2 * bytes_.size(), end_ + size + spare));
     }
 
     Bytes& bytes_;
     std::size_t begin_;
+    std::size_t end_;  // Of what is written; what follows it is room.
     std::size_t depth_ = 0;
 };
 
