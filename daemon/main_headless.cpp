@@ -35,6 +35,7 @@
 #include <ctime>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -217,7 +218,7 @@ int run(const hyrax::HeadlessCommandLine& line) {
     if (!monitors) {
         return failed(monitors.error());
     }
-    const hyrax::FreetypePainter painter;
+    std::optional<hyrax::FreetypePainter> painter;  // Made when the first pet speaks.
     hyrax::DaemonOptions options{
         .profile = profile_for(line),
         .decode = hyrax::decode_png,
@@ -225,7 +226,13 @@ int run(const hyrax::HeadlessCommandLine& line) {
         .trace = {},
         .requests = line.common.requests,
         .fps = line.fps,
-        .paint_text = [&painter](std::string_view text) { return painter.draw(text); },
+        .paint_text =
+            [&painter](std::string_view text) {
+                if (!painter) {
+                    painter.emplace();
+                }
+                return painter->draw(text);
+            },
         .welcome = !line.test,
     };
     if (line.common.trace) {

@@ -14,6 +14,7 @@ import zipfile
 from pathlib import Path
 
 import desktop
+from console import Console
 from daemon import Daemon, windows_path
 
 EXE = CTL = None
@@ -101,6 +102,25 @@ class Control(unittest.TestCase):
         self.result("config", "set", "scripts.developer", "false")
         for arguments in refused:
             self.assertIn("scripts.developer", self.ctl(*arguments, code=1))
+
+    def test_lua_line_by_line_in_a_console(self):
+        self.result("config", "set", "scripts.developer", "true")
+        console = Console(self.desk, CTL, "--profile", windows_path(self.daemon.profile), "repl")
+        self.addCleanup(console.end)
+        console.wait_for_text(":quit ends.\n>")
+        for line, answer in (
+            ("6 * 7", "6 * 7\n42\n"),
+            ("word = 'äß€'", "\n>"),
+            ("word", 'word\n"äß€"\n'),
+            ("for i = 8, 9 do", "\n>>"),
+            ("print(i) end", "8\n9\n"),
+            ("nope.x = 1", "nil value (global 'nope')"),
+            ("#word", "#word\n7\n"),
+        ):
+            console.enter(line)
+            console.wait_for_text(answer)
+        console.enter(":quit")
+        self.assertEqual(console.wait(), 1)  # since a line failed
 
     def test_an_open_menu_holds_no_client_up(self):
         self.daemon.wait_for_pets(lambda pets: len(pets) == 1)
