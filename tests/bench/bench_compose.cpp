@@ -2,12 +2,15 @@
 #include "tests/bench/bench_compose.h"
 
 #include "daemon/core/atlas.h"
+#include "daemon/core/panes.h"
 #include "daemon/core/sprite_set.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <ostream>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -52,6 +55,20 @@ Work composing(const PixelView& target, const Frame& frame, Kernel kernel) {
     };
 }
 
+// As one frame follows another.
+Work recomposing(
+    const PixelView& target, std::span<const Rect> before, const Frame& frame, Kernel kernel
+) {
+    return [&target, before, &frame, kernel] {
+        constexpr Rect whole{0, 0, pane.width, pane.height};
+        recompose(target, {}, std::span(&whole, 1), before, frame, kernel);
+    };
+}
+
+std::string milliseconds(double nanoseconds) {
+    return fmt::format("{:.3f}", nanoseconds / 1e6);
+}
+
 }  // namespace
 
 void compose_crowd(std::ostream& table, std::ostream& csv, Meter& meter) {
@@ -64,7 +81,7 @@ void compose_crowd(std::ostream& table, std::ostream& csv, Meter& meter) {
     const PixelView target(canvas);
 
     table << fmt::format(
-        "ms for {} sprites of {}x{} in {}x{}\n{:<10}{:>10}{:>10}{:>16}{:>16}\n",
+        "ms for {} sprites of {}x{} in {}x{}\n{:<10}{:>10}{:>10}{:>16}{:>16}{:>12}{:>10}\n",
         sprites,
         sprite_size.width,
         sprite_size.height,
@@ -74,35 +91,43 @@ void compose_crowd(std::ostream& table, std::ostream& csv, Meter& meter) {
         "drawn",
         "faded",
         "erased, drawn",
-        "erased, faded"
+        "erased, faded",
+        "next frame",
+        "cold"
     );
-    csv << "renderer,drawn_ms,faded_ms,erased_drawn_ms,erased_faded_ms\n";
-    const auto report = [&](std::string_view title, const std::vector<Work>& works) {
-        std::vector<std::string> cells;
-        for (const Work& work : works) {
-            cells.push_back(
-                work ? fmt::format("{:.3f}", meter.measure(work).nanoseconds / 1e6) : ""
-            );
-        }
-        table
-            << fmt::format(
-                   "{:<10}{:>10}{:>10}{:>16}{:>16}\n", title, cells[0], cells[1], cells[2], cells[3]
-               )
-            << std::flush;
-        csv << fmt::format("{},{},{},{},{}\n", title, cells[0], cells[1], cells[2], cells[3]);
+    csv << "renderer,drawn_ms,faded_ms,erased_drawn_ms,erased_faded_ms,next_frame_ms,cold_ms\n";
+    const auto report = [&](std::string_view title, const std::vector<std::string>& cells) {
+        table << fmt::format(
+                     "{:<10}{:>10}{:>10}{:>16}{:>16}", title, cells[0], cells[1], cells[2], cells[3]
+                 )
+              << fmt::format("{:>12}{:>10}\n", cells[4], cells[5]) << std::flush;
+        csv << fmt::format("{},{}\n", title, fmt::join(cells, ","));
     };
+    const auto measured = [&meter](const Work& work) {
+        return milliseconds(meter.measure(work).nanoseconds);
+    };
+    const std::vector<Rect> before = places_of(drawn);
     for (const Kernel kernel : available_blit_kernels()) {
+        const Work next = recomposing(target, before, drawn, kernel);
         report(
             name(kernel),
-            {stamping(target, drawn, kernel),
-             stamping(target, faded, kernel),
-             composing(target, drawn, kernel),
-             composing(target, faded, kernel)}
+            {measured(stamping(target, drawn, kernel)),
+             measured(stamping(target, faded, kernel)),
+             measured(composing(target, drawn, kernel)),
+             measured(composing(target, faded, kernel)),
+             measured(next),
+             milliseconds(cold_nanoseconds(next))}
         );
     }
     if (const Composer composer = gdiplus_composer()) {
         report(
-            "gdiplus", {{}, {}, [&] { composer(target, drawn); }, [&] { composer(target, faded); }}
+            "gdiplus",
+            {"",
+             "",
+             measured([&] { composer(target, drawn); }),
+             measured([&] { composer(target, faded); }),
+             "",
+             ""}
         );
     }
 }

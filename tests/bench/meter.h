@@ -33,6 +33,10 @@ private:
     bool timed_;
 };
 
+/// The median of single runs that each find the processor's caches full of something else, as a
+/// frame does that comes every 16 ms.
+double cold_nanoseconds(const Work& work);
+
 /// Says on stderr every other second how far a long run has come.
 class Progress {
 public:
