@@ -11,6 +11,7 @@
 #include <array>
 #include <concepts>
 #include <exception>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,8 +52,9 @@ inline constexpr std::array<std::string_view, 3> near_options{"x", "y", "r"};
 
 // --- handles ---
 
-/// Pushes the handle of a pet, the same one each time. `tag` is what it reads once it is gone.
-void push_pet(lua_State* lua, PetKey key, std::string_view tag);
+/// Pushes the handle of a pet, the same one each time. `tag` is what it reads once it is gone;
+/// without one, what it was when the handle was last pushed.
+void push_pet(lua_State* lua, PetKey key, std::optional<std::string_view> tag);
 /// Pushes what a handler of the event gets, and returns how many values that are. Of two pets, the
 /// one that the handler is about comes first.
 int push_event(lua_State* lua, const ScriptEvent& event, PetKey subject);

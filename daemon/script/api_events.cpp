@@ -93,6 +93,17 @@ int wait_for(lua_State* lua, Script& script) {
     return script.park(lua, waiter);
 }
 
+// It may be gone: removed by somebody after the event, or by a handler just now.
+void push_met_pet(lua_State* lua, const ScriptEvent& event, PetKey key) {
+    if (const PetView* const pet = Script::of(lua).view.find(key)) {
+        push_pet(lua, key, pet->tag);
+    } else if (event.event.kind == EventKind::remove) {
+        push_pet(lua, key, event.event.tag);
+    } else {
+        push_pet(lua, key, std::nullopt);
+    }
+}
+
 }  // namespace
 
 Topic topic_argument(lua_State* lua, int index, const char* what) {
@@ -133,25 +144,20 @@ int push_event(lua_State* lua, const ScriptEvent& event, PetKey subject) {
     if (!is_about_pets(topic_of(event.event.kind))) {
         return push_details(lua, event.event);
     }
-    const auto push = [lua, &event](PetKey key) {
-        const PetView* const pet = Script::of(lua).view.find(key);
-        push_pet(lua, key, pet == nullptr ? event.event.tag : pet->tag);
-    };
     if (event.other == 0) {
-        push(event.pet);
+        push_met_pet(lua, event, event.pet);
         return 1 + push_details(lua, event.event);
     }
     const bool swapped = subject == event.other;
-    push(swapped ? event.other : event.pet);
-    push(swapped ? event.pet : event.other);
+    push_met_pet(lua, event, swapped ? event.other : event.pet);
+    push_met_pet(lua, event, swapped ? event.pet : event.other);
     return 2 + push_details(lua, event.event);
 }
 
 int push_outcome(lua_State* lua, const ScriptEvent& event, PetKey subject) {
     int details = 0;
     if (event.other != 0) {
-        const PetKey other = subject == event.other ? event.pet : event.other;
-        push_pet(lua, other, Script::of(lua).view.find(other)->tag);
+        push_met_pet(lua, event, subject == event.other ? event.pet : event.other);
         details = 1;
     }
     details += push_details(lua, event.event);

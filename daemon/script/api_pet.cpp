@@ -249,18 +249,21 @@ const PetView& writable_pet(lua_State* lua, Script& script, PetKey key, const ch
 }
 
 // One handle for each pet, so that it can be the key of a table.
-void push_pet(lua_State* lua, PetKey key, std::string_view tag) {
+void push_pet(lua_State* lua, PetKey key, std::optional<std::string_view> tag) {
     lua_rawgetp(lua, LUA_REGISTRYINDEX, &handles_key);
     const auto number = static_cast<lua_Integer>(key);
     if (lua_rawgeti(lua, -1, number) == LUA_TNIL) {
         lua_pop(lua, 1);
         auto* const handle = static_cast<PetHandle*>(lua_newuserdatauv(lua, sizeof(PetHandle), 0));
         handle->key = key;
+        handle->tag_length = 0;
         luaL_setmetatable(lua, pet_type);
         lua_pushvalue(lua, -1);
         lua_rawseti(lua, -3, number);
     }
-    remember_tag(*static_cast<PetHandle*>(lua_touserdata(lua, -1)), tag);
+    if (tag) {
+        remember_tag(*static_cast<PetHandle*>(lua_touserdata(lua, -1)), *tag);
+    }
     lua_remove(lua, -2);
 }
 

@@ -94,3 +94,22 @@ TEST_CASE("collide tells both pets, one's own handler first the pet it is about"
     CHECK_FALSE(world.said().ends_with("77\n"));
     CHECK(world.errors() == "");
 }
+
+TEST_CASE("a pet that a handler removes is known to those who hear of it later") {
+    FakeWorld world;
+    const PetKey a = world.add_pet({.owner = "test.lua", .tag = "a"});
+    const PetKey b = world.add_pet({.owner = "test.lua", .tag = "b"});
+    world.load(R"(
+        hyrax.on("collide", function(p, q) q:remove() end)
+        hyrax.on("collide", function(p, q) print("then", p.tag, q.tag, q.valid) end)
+        local first = hyrax.pets{ tag = "a" }[1]
+        hyrax.task(function()
+            local other = hyrax.wait_for(first, "collide")
+            print("waited", other.tag, other.valid)
+        end)
+    )");
+    world.happens_between({.kind = EventKind::collide, .speed = 5.5}, a, b);
+    world.run();
+    CHECK(world.errors() == "");
+    CHECK(world.said() == "then a b false\nwaited b false\n");
+}
