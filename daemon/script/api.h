@@ -53,7 +53,7 @@ inline constexpr std::array<std::string_view, 3> near_options{"x", "y", "r"};
 // --- handles ---
 
 /// Pushes the handle of a pet, the same one each time. `tag` is what it reads once it is gone;
-/// without one, what it was when the handle was last pushed.
+/// without one, what the handle remembers.
 void push_pet(lua_State* lua, PetKey key, std::optional<std::string_view> tag);
 /// Pushes what a handler of the event gets, and returns how many values that are. Of two pets, the
 /// one that the handler is about comes first.

@@ -44,8 +44,8 @@ void report(const char* what, std::vector<double> times) {
     );
 }
 
-/// Keeps this process and its children on the first of its processors. Where scripts run on another
-/// one, all that passes between the two costs the daemon more.
+/// Keeps this process and its children on the first of its processors: elsewhere the figures go by
+/// turns, as the system places the two.
 class OneProcessor {
 public:
     OneProcessor() {
