@@ -17,29 +17,39 @@ std::size_t bytes_of(const Image& image) {
 CellPicture Atlas::cell(
     const SpriteSet& set, std::size_t set_index, int cell, bool faces_left, Size size
 ) {
-    const Image& sheet = faces_left ? set.mirrored : set.sheet;
-    const Rect source = set.cell_rect(cell);
-    if (size == set.cell) {
-        const Rect part = set.visible_in(cell, faces_left);
-        return {
-            &sheet,
-            {source.x + part.x, source.y + part.y, part.width, part.height},
-            {part.x, part.y}
-        };
-    }
     const std::size_t place = 2 * static_cast<std::size_t>(cell) + (faces_left ? 1 : 0);
-    Scaled& scaled = scale_of(set, set_index, size)[place];
-    scaled.frame = frame_;
-    if (scaled.image.pixels.empty()) {
-        scaled.image = resampled(sheet, source, size, set.filter);
-        scaled.visible = visible_part(scaled.image, {0, 0, size.width, size.height});
-        bytes_ += bytes_of(scaled.image);
+    Picture& picture = scale_of(set, set_index, size)[place];
+    if (picture.frame == 0) {
+        picture = cut(set, cell, faces_left, size);
+        picture.frame = frame_;
+        bytes_ += bytes_of(picture.image);
         ++made_;
         if (bytes_ > limit_) {
             drop_oldest();
         }
     }
-    return {&scaled.image, scaled.visible, {scaled.visible.x, scaled.visible.y}};
+    picture.frame = frame_;
+    return {&picture.image, picture.at};
+}
+
+Atlas::Picture Atlas::cut(const SpriteSet& set, int cell, bool faces_left, Size size) {
+    Rect whole = set.cell_rect(cell);
+    const Image* from = &set.sheet;
+    Image scaled;
+    if (size != set.cell) {
+        scaled = resampled(set.sheet, whole, size, set.filter);
+        whole = {0, 0, size.width, size.height};
+        from = &scaled;
+    }
+    const Rect seen = visible_part(*from, whole);
+    Picture picture;
+    picture.image = part_of(*from, seen);
+    picture.at = {seen.x - whole.x, seen.y - whole.y};
+    if (faces_left) {
+        mirror(picture.image);
+        picture.at.x = size.width - picture.at.x - seen.width;
+    }
+    return picture;
 }
 
 void Atlas::clear() {
@@ -62,25 +72,25 @@ Atlas::Scale& Atlas::scale_of(const SpriteSet& set, std::size_t set_index, Size 
 }
 
 void Atlas::drop_oldest() {
-    std::vector<Scaled*> old;
+    std::vector<Picture*> old;
     for (auto& [key, scale] : scales_) {
-        for (Scaled& scaled : scale) {
-            if (!scaled.image.pixels.empty() && scaled.frame + 1 < frame_) {
-                old.push_back(&scaled);
+        for (Picture& picture : scale) {
+            if (picture.frame != 0 && picture.frame + 1 < frame_) {
+                old.push_back(&picture);
             }
         }
     }
-    std::ranges::sort(old, {}, &Scaled::frame);
-    for (Scaled* const scaled : old) {
+    std::ranges::sort(old, {}, &Picture::frame);
+    for (Picture* const picture : old) {
         if (bytes_ <= limit_) {
             break;
         }
-        bytes_ -= bytes_of(scaled->image);
-        scaled->image = {};
+        bytes_ -= bytes_of(picture->image);
+        *picture = {};
     }
     std::erase_if(scales_, [](const auto& entry) {
-        return std::ranges::all_of(entry.second, [](const Scaled& scaled) {
-            return scaled.image.pixels.empty();
+        return std::ranges::all_of(entry.second, [](const Picture& picture) {
+            return picture.frame == 0;
         });
     });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cells of sprite sheets at the scales in use, each made when it is first shown.
+// Cells of sprite sheets as they are drawn, each made when it is first shown.
 #pragma once
 
 #include "daemon/core/image.h"
@@ -15,13 +15,13 @@ namespace hyrax {
 
 /// What is visible of a cell, as it is drawn.
 struct CellPicture {
-    const Image* image = nullptr;
-    Rect source;  ///< Within the image. Without area if there is nothing to see.
-    Point at;     ///< Of the source's top-left corner, within the cell.
+    const Image* image = nullptr;  ///< Without pixels if there is nothing to see.
+    Point at;                      ///< Of its top-left corner, within the cell.
 };
 
-/// Each scaled cell is a picture of its own, so that no neighbour can bleed into it. Those that
-/// have not been shown for the longest time go when all together exceed the limit.
+/// Each picture has pixels of its own and no more than can be seen: no neighbour can bleed into it,
+/// and its rows lie close together in memory. Those that have not been shown for the longest time
+/// go when all together exceed the limit.
 class Atlas {
 public:
     static constexpr std::size_t default_limit = std::size_t{128} << 20U;
@@ -32,8 +32,7 @@ public:
     /// it, and no other picture takes its address. It may exceed the limit.
     void begin_frame() { ++frame_; }
 
-    /// The cell in this size; at the set's own size, a part of its sheet. `set_index` names the set
-    /// until clear().
+    /// The cell in this size (positive). `set_index` names the set until clear().
     CellPicture cell(
         const SpriteSet& set, std::size_t set_index, int cell, bool faces_left, Size size
     );
@@ -41,20 +40,21 @@ public:
     /// For other sets. Nobody may look at a picture any more.
     void clear();
 
-    /// Of all scaled cells.
+    /// Of all pictures.
     std::size_t bytes() const { return bytes_; }
-    /// How many cells have been scaled since the start.
+    /// How many pictures have been made since the start.
     std::uint64_t made() const { return made_; }
 
 private:
-    struct Scaled {
+    struct Picture {
         Image image;
-        Rect visible;
-        std::uint64_t frame = 0;  // When it was last shown.
+        Point at;
+        std::uint64_t frame = 0;  // When it was last shown; 0 until it is made.
     };
-    // Both facings of each cell of a set in one size; empty until shown.
-    using Scale = std::vector<Scaled>;
+    // Both facings of each cell of a set in one size.
+    using Scale = std::vector<Picture>;
 
+    static Picture cut(const SpriteSet& set, int cell, bool faces_left, Size size);
     Scale& scale_of(const SpriteSet& set, std::size_t set_index, Size size);
     void drop_oldest();
 

@@ -52,15 +52,15 @@ void erase(const PixelView& target, Rect area) {
 }
 
 void blit(const PixelView& target, const Rect& clip, const Stamp& stamp, Kernel kernel) {
-    const Rect& source = stamp.source;
+    const Size size = stamp.image.size;
     const Rect limits = intersection(clip, {0, 0, target.size.width, target.size.height});
-    const Rect part = intersection({stamp.at.x, stamp.at.y, source.width, source.height}, limits);
+    const Rect part = intersection({stamp.at.x, stamp.at.y, size.width, size.height}, limits);
     if (part.empty()) {
         return;
     }
-    const auto stride = static_cast<std::ptrdiff_t>(stamp.image.size.width);
-    const Pixel* from = stamp.image.pixels.data() + (source.y + part.y - stamp.at.y) * stride +
-                        (source.x + part.x - stamp.at.x);
+    const auto stride = static_cast<std::ptrdiff_t>(size.width);
+    const Pixel* from =
+        stamp.image.pixels.data() + (part.y - stamp.at.y) * stride + (part.x - stamp.at.x);
     Pixel* to = row(target, part.x, part.y);
     const auto index = static_cast<std::size_t>(kernel);
     const RowBlend blend = row_blends[index];
@@ -103,7 +103,7 @@ void recompose(
             }
             for (const Sprite& sprite : frame.sprites) {
                 const Point at{sprite.at.x - origin.x, sprite.at.y - origin.y};
-                blit(target, band, {*sprite.image, sprite.source, at, sprite.opacity}, kernel);
+                blit(target, band, {*sprite.image, at, sprite.opacity}, kernel);
             }
         });
     }

@@ -33,11 +33,10 @@ std::span<const Kernel> available_blit_kernels();
 /// The quickest of them.
 Kernel best_blit_kernel();
 
-/// A part of a picture, and where it goes.
+/// A picture, and where it goes.
 struct Stamp {
     const Image& image;
-    Rect source;                 ///< Within the image.
-    Point at;                    ///< Of the source's top-left corner.
+    Point at;                    ///< Of its top-left corner.
     std::uint8_t opacity = 255;  ///< 0 draws nothing.
 };
 

@@ -11,9 +11,7 @@ std::optional<PetId> pet_at(const Frame& frame, Point point) {
         if (!sprite.bounds().contains(point)) {
             continue;
         }
-        const int x = sprite.source.x + point.x - sprite.at.x;
-        const int y = sprite.source.y + point.y - sprite.at.y;
-        if (alpha_of(sprite.image->at(x, y)) != 0) {
+        if (alpha_of(sprite.image->at(point.x - sprite.at.x, point.y - sprite.at.y)) != 0) {
             return sprite.pet;
         }
     }

@@ -12,15 +12,14 @@
 
 namespace hyrax {
 
-/// One drawn pet. `image` belongs to a sprite set and outlives the frame.
+/// One drawn pet. `image` belongs to the atlas or to a speech, and outlives the frame.
 struct Sprite {
     const Image* image = nullptr;
-    Rect source;  ///< Within the image.
-    Point at;     ///< Of the source's top-left corner, virtual desktop [px].
+    Point at;  ///< Of the image's top-left corner, virtual desktop [px].
     PetId pet;
     std::uint8_t opacity = 255;  ///< Of the whole sprite, above 0.
 
-    Rect bounds() const { return {at.x, at.y, source.width, source.height}; }
+    Rect bounds() const { return {at.x, at.y, image->size.width, image->size.height}; }
     bool operator==(const Sprite&) const = default;
 };
 

@@ -2,6 +2,7 @@
 #include "daemon/core/image.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 
 namespace hyrax {
@@ -23,6 +24,24 @@ Rect visible_part(const Image& image, const Rect& part) {
         seen = united(seen, {x, y, static_cast<int>(last.base() - first), 1});
     }
     return seen;
+}
+
+Image part_of(const Image& image, const Rect& part) {
+    Image result(Size{part.width, part.height});
+    auto to = result.pixels.begin();
+    for (int y = part.y; y < part.bottom(); ++y) {
+        const auto from = image.pixels.begin() + std::ptrdiff_t{y} * image.size.width + part.x;
+        to = std::copy_n(from, part.width, to);
+    }
+    return result;
+}
+
+void mirror(Image& image) {
+    const auto begin = image.pixels.begin();
+    for (int y = 0; y < image.size.height; ++y) {
+        const auto row = begin + std::ptrdiff_t{y} * image.size.width;
+        std::reverse(row, row + image.size.width);
+    }
 }
 
 }  // namespace hyrax

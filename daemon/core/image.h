@@ -50,6 +50,10 @@ struct Image {
 /// The smallest rectangle within `part` with all its pixels that are not transparent; without area
 /// if there are none.
 Rect visible_part(const Image& image, const Rect& part);
+/// A copy of the part, which lies in the image.
+Image part_of(const Image& image, const Rect& part);
+/// Left and right change places.
+void mirror(Image& image);
 
 /// Limits that are checked before anything is decoded.
 inline constexpr std::size_t max_image_file_bytes = 16U << 20U;

@@ -24,7 +24,7 @@ inline constexpr std::size_t most_plugin_source = std::size_t{1} << 20U;
 
 /// A side of its pictures [px].
 inline constexpr int most_plugin_side = 4096;
-/// Of all its pictures together, as its kinds use them: 64 MiB once decoded, and as much mirrored.
+/// Of all its pictures together, as its kinds use them: 64 MiB once decoded.
 inline constexpr std::size_t most_plugin_pixels = std::size_t{4096} * 4096;
 
 /// The largest number that a setting may have: whole ones up to here are exact.

@@ -156,8 +156,7 @@ Image bubble_image(std::span<const Image> lines) {
     int top = padding_y;
     for (const Image& line : lines) {
         const Point at{(image.size.width - line.size.width) / 2, top};
-        const Rect whole{0, 0, line.size.width, line.size.height};
-        blit(PixelView(image), all, {.image = line, .source = whole, .at = at});
+        blit(PixelView(image), all, {.image = line, .at = at});
         top += line.size.height;
     }
     return image;
@@ -215,13 +214,8 @@ void Speeches::show(Frame& frame, const Engine& engine, std::span<const PetId> s
             engine.arena().box_near({box.x + size.width / 2.0, box.y + size.height / 2.0});
         const Size body = bubble->image.size;
         const BubblePlace place = place_bubble(box, body, tail_size, screen);
-        frame.bubbles.push_back({&bubble->image, {0, 0, body.width, body.height}, place.body, id});
-        frame.bubbles.push_back(
-            {place.below ? &tail_up_ : &tail_down_,
-             {0, 0, tail_size.width, tail_size.height},
-             place.tail,
-             id}
-        );
+        frame.bubbles.push_back({&bubble->image, place.body, id});
+        frame.bubbles.push_back({place.below ? &tail_up_ : &tail_down_, place.tail, id});
     }
 }
 

@@ -73,14 +73,6 @@ Pixel blended(Pixel under, Pixel colour, unsigned covered) {
     return result;
 }
 
-Image mirrored_cells(const Image& sheet, Size cell) {
-    Image mirrored = sheet;
-    for (auto row = mirrored.pixels.begin(); row != mirrored.pixels.end(); row += cell.width) {
-        std::reverse(row, row + cell.width);  // sheets are whole cells wide: rows fall apart evenly
-    }
-    return mirrored;
-}
-
 }  // namespace
 
 Ticks Animation::duration() const {
@@ -125,29 +117,6 @@ Rect SpriteSet::cell_rect(int index) const {
     return {index % columns * cell.width, index / columns * cell.height, cell.width, cell.height};
 }
 
-Rect SpriteSet::visible_in(int index, bool faces_left) const {
-    const auto place = static_cast<std::size_t>(index);
-    Rect part = place < visible.size() ? visible[place] : Rect{0, 0, cell.width, cell.height};
-    if (faces_left) {
-        part.x = cell.width - part.right();
-    }
-    return part;
-}
-
-void complete(SpriteSet& set) {
-    set.mirrored = mirrored_cells(set.sheet, set.cell);
-    const int columns = set.sheet.size.width / set.cell.width;
-    const int rows = set.sheet.size.height / set.cell.height;
-    set.visible.clear();
-    for (int index = 0; index < columns * rows; ++index) {
-        const Rect whole = set.cell_rect(index);
-        Rect part = visible_part(set.sheet, whole);
-        part.x -= whole.x;
-        part.y -= whole.y;
-        set.visible.push_back(part);
-    }
-}
-
 const Animation& SpriteSet::animation(std::string_view animation_name) const {
     const auto found = animations.find(animation_name);
     return found != animations.end() ? found->second : animations.at("idle");
@@ -167,7 +136,6 @@ SpriteSet placeholder_sprite_set(std::string name) {
             }
         }
     }
-    complete(set);
     for (const char* each : {"idle", "fall", "held", "land", "rest", "walk"}) {
         set.animations[each] = {.frames = {{.cell = 0, .duration = ticks_per_second}}};
     }

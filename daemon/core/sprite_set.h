@@ -39,26 +39,18 @@ Shown shown_at(const Animation& animation, Ticks elapsed);
 
 struct SpriteSet {
     std::string name;
-    Image sheet;     ///< As drawn, facing right.
-    Image mirrored;  ///< The same sheet with each cell mirrored in place.
+    Image sheet;  ///< As drawn, facing right.
     Size cell;
     Rect box;                        ///< Within the cell: what meets walls and floor.
     double scale = 1.0;              ///< least_scale to most_scale (engine.h).
     Filter filter = Filter::smooth;  ///< For other sizes than its own.
     std::map<std::string, Animation, std::less<>> animations;
-    /// Of each cell, within it as it faces right, what is not transparent. Without an entry: all.
-    std::vector<Rect> visible{};
 
     /// The cell's rectangle in the sheet.
     Rect cell_rect(int index) const;
-    /// Within the cell.
-    Rect visible_in(int index, bool faces_left) const;
     /// The animation of this name, else "idle", which every set has.
     const Animation& animation(std::string_view animation_name) const;
 };
-
-/// Makes what follows from the sheet and the size of a cell: `mirrored` and `visible`.
-void complete(SpriteSet& set);
 
 /// Reads <folder>/sprite.json and its sheet. The message of a failure names the file and the key.
 /// Pixels with alpha below 8 are cleared, so that shadows nobody sees do not catch clicks.

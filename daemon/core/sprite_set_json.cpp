@@ -290,7 +290,6 @@ Result<SpriteSet> load_sprite_set(const fs::path& folder, const ImageDecoder& de
         return std::unexpected(cells.error());
     }
     set->sheet = *std::move(sheet);
-    complete(*set);
     return set;
 }
 

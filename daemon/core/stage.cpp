@@ -141,10 +141,9 @@ Staged staged(
         const Size size = scaled(set.cell, pet.drawn_scale);
         const CellPicture picture = atlas.cell(set, pet.kind, shown.cell, pet.faces_left, size);
         const Point corner = cell_corner(set, pet, engine.box_of(pet), size);
-        if (!picture.source.empty()) {
+        if (!picture.image->pixels.empty()) {
             result.frame.sprites.push_back({
                 .image = picture.image,
-                .source = picture.source,
                 .at = {corner.x + picture.at.x, corner.y + picture.at.y},
                 .pet = id,
                 .opacity = opacity_of(scene.opacity * pet.opacity),

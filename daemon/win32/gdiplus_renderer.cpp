@@ -22,28 +22,24 @@ void set_opacity(Gdiplus::ImageAttributes& attributes, std::uint8_t opacity) {
 
 void draw(Gdiplus::Graphics& graphics, const Sprite& sprite, Point at) {
     const Image& image = *sprite.image;
+    const Size size = image.size;
     // GDI+ takes the address without const, and only reads from it.
     auto* const pixels = reinterpret_cast<BYTE*>(const_cast<Pixel*>(image.pixels.data()));
     Gdiplus::Bitmap bitmap(
-        image.size.width,
-        image.size.height,
-        image.size.width * bytes_per_pixel,
-        PixelFormat32bppPARGB,
-        pixels
+        size.width, size.height, size.width * bytes_per_pixel, PixelFormat32bppPARGB, pixels
     );
     Gdiplus::ImageAttributes attributes;
     if (sprite.opacity != 255) {
         set_opacity(attributes, sprite.opacity);
     }
-    const Rect& source = sprite.source;
     // With both rectangles in pixels: else the picture's resolution scales it.
     graphics.DrawImage(
         &bitmap,
-        Gdiplus::Rect(at.x, at.y, source.width, source.height),
-        source.x,
-        source.y,
-        source.width,
-        source.height,
+        Gdiplus::Rect(at.x, at.y, size.width, size.height),
+        0,
+        0,
+        size.width,
+        size.height,
         Gdiplus::UnitPixel,
         sprite.opacity != 255 ? &attributes : nullptr
     );

@@ -30,7 +30,6 @@ Frame crowd(const CellPicture& picture, std::uint8_t opacity) {
     for (int i = 0; i < sprites; ++i) {
         frame.sprites.push_back({
             .image = picture.image,
-            .source = picture.source,
             .at = {up_to(pane.width - sprite_size.width), up_to(pane.height - sprite_size.height)},
             .pet = {},
             .opacity = opacity,
@@ -43,7 +42,7 @@ Frame crowd(const CellPicture& picture, std::uint8_t opacity) {
 Work stamping(const PixelView& target, const Frame& frame, Kernel kernel) {
     return [&target, &frame, kernel] {
         for (const Sprite& sprite : frame.sprites) {
-            const Stamp stamp{*sprite.image, sprite.source, sprite.at, sprite.opacity};
+            const Stamp stamp{*sprite.image, sprite.at, sprite.opacity};
             blit(target, {0, 0, pane.width, pane.height}, stamp, kernel);
         }
     };

@@ -27,11 +27,8 @@ std::vector<Monitor> three_in_a_row(int width, int height) {
 }
 
 Sprite sprite(std::uint32_t index, Point at) {
-    Sprite result;
-    result.source = {0, 0, cell, cell};
-    result.at = at;
-    result.pet = {index, 1};
-    return result;
+    static const Image image(Size{cell, cell});
+    return {&image, at, {index, 1}};
 }
 
 long long area_of(std::span<const Rect> rects) {

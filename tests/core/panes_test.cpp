@@ -26,11 +26,8 @@ Rect pet_at_place(int x, int y) {
 }
 
 Sprite sprite(std::uint32_t index, int x, int y) {
-    Sprite result;
-    result.source = {0, 0, 96, 96};
-    result.at = {x, y};
-    result.pet = {index, 1};
-    return result;
+    static const Image image(Size{96, 96});
+    return {&image, {x, y}, {index, 1}};
 }
 
 bool covered(const std::vector<Rect>& clusters, const Rect& place) {

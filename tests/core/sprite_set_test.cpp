@@ -144,18 +144,6 @@ TEST_CASE("sprite set: a good folder is read") {
     CHECK(&set->animation("fall") == &idle);
 }
 
-TEST_CASE("sprite set: each cell is mirrored where it is") {
-    const Result<SpriteSet> set = Folder(good).load();
-    REQUIRE(set);
-    for (int y = 0; y < 4; ++y) {
-        for (int x = 0; x < 8; ++x) {
-            const int opposite = x / 4 * 4 + 3 - x % 4;
-            CHECK(set->mirrored.at(x, y) == set->sheet.at(opposite, y));
-        }
-    }
-    CHECK(set->mirrored.at(4, 1) == 15U << 24U);
-}
-
 TEST_CASE("sprite set: pixels that nobody sees are cleared") {
     const Result<SpriteSet> set = Folder(good).load([](std::span<const std::byte>) {
         Image image({8, 4});
@@ -168,7 +156,6 @@ TEST_CASE("sprite set: pixels that nobody sees are cleared") {
     CHECK(set->sheet.at(0, 0) == 0x08070605U);
     CHECK(set->sheet.at(1, 0) == 0);
     CHECK(set->sheet.at(2, 0) == 0);
-    CHECK(set->mirrored.at(2, 0) == 0);
     CHECK(is_premultiplied(set->sheet));
 }
 
@@ -367,7 +354,6 @@ TEST_CASE("sprite set: the placeholder is a whole, clean set") {
     const SpriteSet set = placeholder_sprite_set("hyrax");
     CHECK(set.name == "hyrax");
     CHECK(set.sheet.size == set.cell);
-    CHECK(set.mirrored.size == set.cell);
     CHECK(Rect{0, 0, set.cell.width, set.cell.height}.contains(set.box));
     CHECK_FALSE(set.box.empty());
     for (const char* known : {"idle", "fall", "held", "land", "rest", "walk"}) {

@@ -21,11 +21,9 @@ int raises_until(TopmostKeeper& keeper, TopmostKeeper::Sight sight, Ticks end) {
     return raises;
 }
 
-Frame frame_with(const Rect& sprite) {
-    Sprite one;
-    one.source = {0, 0, sprite.width, sprite.height};
-    one.at = {sprite.x, sprite.y};
-    return {.sprites = {one}};
+Frame frame_with_pet(Point at) {
+    static const Image image(Size{100, 100});
+    return {.sprites = {{&image, at, {}}}};
 }
 
 }  // namespace
@@ -35,10 +33,10 @@ TEST_CASE("taskbars are what a monitor has beyond its work area") {
         {.bounds = {0, 0, 1920, 1080}, .work = {0, 0, 1920, 1040}, .primary = true, .name = "a"},
         {.bounds = {1920, 0, 800, 600}, .work = {1920, 0, 800, 600}, .name = "b"},
     };
-    CHECK_FALSE(reaches_taskbars(frame_with({100, 940, 100, 100}), monitors));
-    CHECK(reaches_taskbars(frame_with({100, 941, 100, 100}), monitors));
-    CHECK_FALSE(reaches_taskbars(frame_with({2000, 550, 100, 100}), monitors));
-    CHECK_FALSE(reaches_taskbars(frame_with({100, 2000, 100, 100}), monitors));
+    CHECK_FALSE(reaches_taskbars(frame_with_pet({100, 940}), monitors));
+    CHECK(reaches_taskbars(frame_with_pet({100, 941}), monitors));
+    CHECK_FALSE(reaches_taskbars(frame_with_pet({2000, 550}), monitors));
+    CHECK_FALSE(reaches_taskbars(frame_with_pet({100, 2000}), monitors));
     CHECK_FALSE(reaches_taskbars({}, monitors));
 }
 

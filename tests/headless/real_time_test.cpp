@@ -33,7 +33,6 @@ Image disc(int side) {
 Sprite sprite_of(const Image& image, std::uint32_t index, Point at) {
     return {
         .image = &image,
-        .source = {0, 0, image.size.width, image.size.height},
         .at = at,
         .pet = {index, 1},
     };

@@ -30,15 +30,17 @@ SpriteSet shipped_set() {
     return *std::move(set);
 }
 
-Sprite sprite(const SpriteSet& set, int cell, bool left, Point at, std::uint8_t opacity = 255) {
-    return {
-        .image = left ? &set.mirrored : &set.sheet,
-        .source = set.cell_rect(cell),
-        .at = at,
-        .pet = {},
-        .opacity = opacity,
-    };
-}
+// A set and what is cut from it.
+struct Pictures {
+    SpriteSet set = shipped_set();
+    Atlas atlas{};
+
+    Sprite sprite(int cell, bool left, Point at, std::uint8_t opacity = 255, int side = 128) {
+        const CellPicture picture = atlas.cell(set, 0, cell, left, {side, side});
+        const Point corner{at.x + picture.at.x, at.y + picture.at.y};
+        return {.image = picture.image, .at = corner, .pet = {}, .opacity = opacity};
+    }
+};
 
 // The largest difference of a channel between both renderers, drawn onto surfaces of the overlay.
 int difference(const Frame& frame, const Rect& area) {
@@ -80,57 +82,58 @@ int difference(const Frame& frame, const Rect& area) {
 
 TEST_CASE("both renderers agree within 1 on every cell of the sheet, both ways round") {
     const GdiplusSession session;
-    const SpriteSet set = shipped_set();
+    Pictures pictures;
+    const SpriteSet& set = pictures.set;
     const int cells =
         set.sheet.size.width / set.cell.width * set.sheet.size.height / set.cell.height;
     for (int cell = 0; cell < cells; ++cell) {
         for (const bool left : {false, true}) {
             CAPTURE(cell);
             CAPTURE(left);
-            CHECK(difference({{sprite(set, cell, left, {cell - 7, 2 * cell})}}, everything) <= 1);
+            CHECK(
+                difference({{pictures.sprite(cell, left, {cell - 7, 2 * cell})}}, everything) <= 1
+            );
         }
     }
 }
 
 TEST_CASE("both renderers agree within 1 at every edge and in a dirty rectangle") {
     const GdiplusSession session;
-    const SpriteSet set = shipped_set();
+    Pictures pictures;
     for (const Point at : {Point{-110, 20}, Point{190, 30}, Point{40, -110}, Point{30, 160}}) {
         CAPTURE(at.x);
         CAPTURE(at.y);
-        CHECK(difference({{sprite(set, 3, false, at)}}, everything) <= 1);
+        CHECK(difference({{pictures.sprite(3, false, at)}}, everything) <= 1);
     }
-    CHECK(difference({{sprite(set, 3, true, {20, 10})}}, {40, 40, 71, 53}) <= 1);
+    CHECK(difference({{pictures.sprite(3, true, {20, 10})}}, {40, 40, 71, 53}) <= 1);
 }
 
 TEST_CASE("both renderers agree within 1 with opacity") {
     const GdiplusSession session;
-    const SpriteSet set = shipped_set();
+    Pictures pictures;
     for (const int opacity : {26, 64, 128, 200, 254}) {
         CAPTURE(opacity);
         const auto faded = static_cast<std::uint8_t>(opacity);
-        CHECK(difference({{sprite(set, 5, false, {30, 20}, faded)}}, everything) <= 1);
+        CHECK(difference({{pictures.sprite(5, false, {30, 20}, faded)}}, everything) <= 1);
     }
 }
 
 TEST_CASE("both renderers agree within 1 on scaled cells") {
     const GdiplusSession session;
-    const SpriteSet set = shipped_set();
-    Atlas atlas;
+    Pictures pictures;
     for (const int side : {64, 96, 192}) {
         CAPTURE(side);
-        const CellPicture picture = atlas.cell(set, 0, 6, true, {side, side});
-        CHECK(difference({{{picture.image, picture.source, {10, 5}, {}}}}, everything) <= 1);
+        CHECK(difference({{pictures.sprite(6, true, {10, 5}, 255, side)}}, everything) <= 1);
     }
 }
 
 TEST_CASE("sprites over each other differ by 1 for each at most") {
     const GdiplusSession session;
-    const SpriteSet set = shipped_set();
+    Pictures pictures;
     const Frame frame{
-        {sprite(set, 0, false, {10, 10}, 200),
-         sprite(set, 7, true, {60, 30}),
-         sprite(set, 12, false, {40, 60}, 100)}
+        {pictures.sprite(0, false, {10, 10}, 200),
+         pictures.sprite(7, true, {60, 30}),
+         pictures.sprite(12, false, {40, 60}, 100)}
     };
     CHECK(difference(frame, everything) <= 3);
 }
