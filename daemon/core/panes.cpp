@@ -10,51 +10,88 @@ namespace hyrax {
 
 namespace {
 
-/// Panes begin and end on multiples of this [px], so that small moves change nothing.
+/// Lengths of panes are multiples of this [px], or the monitor's.
 constexpr int grid = 128;
 /// Free pixels around the sprites [px]: a pane is not changed for the first steps of a walk.
 constexpr int margin = 32;
-/// Room that growth adds ahead at least [px], for a second of a run.
+/// Room that growth adds at least [px], for a second of a run apart.
 constexpr int reach = 384;
 constexpr Ticks shrink_after = ticks_per_second;
 
-constexpr int snapped_down(int value) {
-    const int rest = value % grid;
-    return rest < 0 ? value - rest - grid : value - rest;
+/// One axis of a rectangle [px].
+struct Span {
+    int low;
+    int length;
+
+    int high() const { return low + length; }
+    bool contains(Span other) const { return low <= other.low && other.high() <= high(); }
+};
+
+Span across(const Rect& rect) {
+    return {rect.x, rect.width};
 }
 
-constexpr int snapped_up(int value) {
-    return -snapped_down(-value);
+Span down(const Rect& rect) {
+    return {rect.y, rect.height};
 }
 
-/// The grid's cells that hold the box and its margin, as far as the monitor shows them.
-Rect roomy(const Rect& box, const Rect& monitor) {
-    const int x = snapped_down(box.x - margin);
-    const int y = snapped_down(box.y - margin);
-    const Rect cells{
-        x, y, snapped_up(box.right() + margin) - x, snapped_up(box.bottom() + margin) - y
-    };
-    return intersection(cells, monitor);
+/// What sprites of this length need in order to move a little without leaving the pane. The more
+/// of the pane is drawn anew when it slides, the less often it should.
+constexpr int roomy(int length) {
+    return length + length / 8 + 2 * margin;
 }
 
-/// How far to go beyond an edge that was crossed after it had moved so far outward in this span.
-int ahead_of(bool crossed, int moved) {
-    return crossed ? std::max(reach, 2 * moved) : 0;
+constexpr int on_grid(int length) {
+    return (length + grid - 1) / grid * grid;
 }
 
-/// The area, enlarged to hold what the pane shows, and further still where that has crossed it.
-Rect grown(const Pane& pane) {
-    const Rect& area = pane.area;
-    const Rect& box = pane.shows;
-    const Rect& from = pane.first;
-    const int left = ahead_of(box.x < area.x, from.x - box.x);
-    const int top = ahead_of(box.y < area.y, from.y - box.y);
-    const int right = ahead_of(box.right() > area.right(), box.right() - from.right());
-    const int bottom = ahead_of(box.bottom() > area.bottom(), box.bottom() - from.bottom());
-    const Rect ahead{
-        box.x - left, box.y - top, box.width + left + right, box.height + top + bottom
-    };
-    return united(area, roomy(ahead, pane.monitor));
+enum class Ahead { low, nowhere, high };
+
+/// An area of this length that holds the box and leaves the room ahead of it, within limits.
+Span placed(int length, Span box, Ahead ahead, Span limits) {
+    const int room = length - box.length;
+    const int behind = std::min(margin, room);
+    const int before = ahead == Ahead::nowhere ? room / 2
+                       : ahead == Ahead::high  ? behind
+                                               : room - behind;
+    return {std::clamp(box.low - before, limits.low, limits.high() - length), length};
+}
+
+/// The area after the box has left it: it slides, or grows if the box is too long for that.
+Span followed(Span area, Span box, Span first, Span monitor) {
+    if (area.contains(box)) {
+        return area;
+    }
+    int length = area.length;
+    if (roomy(box.length) > length) {
+        const int growth = std::max(reach, 2 * (box.length - first.length));
+        length = std::min(on_grid(box.length + margin + growth), monitor.length);
+    }
+    const bool both = box.low < area.low && box.high() > area.high();
+    const Ahead ahead = both ? Ahead::nowhere : box.low < area.low ? Ahead::low : Ahead::high;
+    return placed(length, box, ahead, monitor);
+}
+
+/// For sprites of this length on this monitor.
+int fitting(int length, Span monitor) {
+    return std::min(on_grid(roomy(length)), monitor.length);
+}
+
+/// The part of the area that boxes up to this length need, with room where the box is going.
+Span shrunk(Span area, int largest, Span box, Span first, Span monitor) {
+    const int moved = 2 * box.low + box.length - 2 * first.low - first.length;
+    const Ahead ahead = moved < 0 ? Ahead::low : moved > 0 ? Ahead::high : Ahead::nowhere;
+    return placed(std::min(area.length, fitting(largest, monitor)), box, ahead, area);
+}
+
+Rect shrunk(const Pane& pane, Size largest) {
+    const Rect& monitor = pane.monitor;
+    const Span x = shrunk(
+        across(pane.area), largest.width, across(pane.shows), across(pane.first), across(monitor)
+    );
+    const Span y =
+        shrunk(down(pane.area), largest.height, down(pane.shows), down(pane.first), down(monitor));
+    return {x.low, y.low, x.length, y.length};
 }
 
 /// A quarter must be gained: the new surface and its full redraw are paid with it.
@@ -62,32 +99,40 @@ bool worth_shrinking(const Rect& area, const Rect& to) {
     return to.area() * 4 <= area.area() * 3;
 }
 
-/// What the next span will need if every edge goes on as it went in this one: without it, a pane
-/// that has just shrunk around a running pet would have to grow at once.
-Rect expected(const Pane& pane) {
-    const Rect& now = pane.shows;
-    const int left = std::min(0, now.x - pane.first.x);
-    const int top = std::min(0, now.y - pane.first.y);
-    const int right = std::max(0, now.right() - pane.first.right());
-    const int bottom = std::max(0, now.bottom() - pane.first.bottom());
-    const Rect ahead{
-        now.x + left, now.y + top, now.width + right - left, now.height + bottom - top
+Pane begun(const Rect& monitor, const Rect& shows, Ticks now) {
+    const Span x = placed(
+        fitting(shows.width, across(monitor)), across(shows), Ahead::nowhere, across(monitor)
+    );
+    const Span y =
+        placed(fitting(shows.height, down(monitor)), down(shows), Ahead::nowhere, down(monitor));
+    return {
+        .monitor = monitor,
+        .area = {x.low, y.low, x.length, y.length},
+        .shows = shows,
+        .since = now,
+        .first = shows,
+        .largest = {shows.width, shows.height},
     };
-    return united(pane.needed, ahead);
 }
 
 Pane continued(Pane pane, const Rect& shows, Ticks now) {
     pane.shows = shows;
-    pane.needed = united(pane.needed, shows);
+    pane.largest = {
+        std::max(pane.largest.width, shows.width), std::max(pane.largest.height, shows.height)
+    };
     if (!pane.area.contains(shows)) {
-        pane.area = grown(pane);
+        const Rect& first = pane.first;
+        const Rect& monitor = pane.monitor;
+        const Span x = followed(across(pane.area), across(shows), across(first), across(monitor));
+        const Span y = followed(down(pane.area), down(shows), down(first), down(monitor));
+        pane.area = {x.low, y.low, x.length, y.length};
     } else if (now - pane.since >= shrink_after) {
-        const Rect smaller = roomy(expected(pane), pane.monitor);
+        const Rect smaller = shrunk(pane, pane.largest);
         if (worth_shrinking(pane.area, smaller)) {
             pane.area = smaller;
         }
         pane.first = shows;
-        pane.needed = shows;
+        pane.largest = {shows.width, shows.height};
         pane.since = now;
     }
     return pane;
@@ -208,14 +253,7 @@ std::vector<Pane> plan_panes(
         if (known != before.end()) {
             panes.push_back(continued(*known, shows, now));
         } else if (std::ranges::find(panes, monitor.bounds, &Pane::monitor) == panes.end()) {
-            panes.push_back({
-                .monitor = monitor.bounds,
-                .area = roomy(shows, monitor.bounds),
-                .shows = shows,
-                .since = now,
-                .first = shows,
-                .needed = shows,
-            });
+            panes.push_back(begun(monitor.bounds, shows, now));
         }
     }
     return panes;
@@ -224,7 +262,7 @@ std::vector<Pane> plan_panes(
 Ticks next_plan(std::span<const Pane> panes) {
     Ticks next = never;
     for (const Pane& pane : panes) {
-        if (worth_shrinking(pane.area, roomy(pane.shows, pane.monitor))) {
+        if (worth_shrinking(pane.area, shrunk(pane, {pane.shows.width, pane.shows.height}))) {
             next = std::min(next, pane.since + shrink_after);
         }
     }

@@ -21,14 +21,15 @@ struct Pane {
     Rect shows;       ///< Bounding box of the sprites at the latest plan.
     Ticks since = 0;  ///< Start of the span after which the area may shrink.
     Rect first;       ///< Bounding box of the sprites at `since`.
-    Rect needed;      ///< Bounding box of all that was shown since then.
+    Size largest;     ///< Of the bounding boxes since then, in each direction.
 
     bool operator==(const Pane&) const = default;
 };
 
 /// One pane for each monitor that shows a part of a sprite, in the order of the monitors; none on
-/// those whose bounds are kept free. A pane grows at once, with room ahead, and shrinks when it was
-/// too large for a second: each change makes the system build a new surface.
+/// those whose bounds are kept free. A pane keeps its size, for which the system has built a
+/// surface, and slides after its sprites when they leave it; it grows when they no longer fit, and
+/// shrinks when it was too large for a second.
 std::vector<Pane> plan_panes(
     std::span<const Monitor> monitors,
     std::span<const Rect> sprites,

@@ -127,7 +127,7 @@ TEST_CASE("equal frames present nothing") {
     }
     CHECK(overlay.counters().frames == 1);
     CHECK(overlay.counters().presents == 1);
-    CHECK(overlay.counters().bytes == 256U * 256U * sizeof(Pixel));
+    CHECK(overlay.counters().bytes == 128U * 128U * sizeof(Pixel));
 }
 
 TEST_CASE("the real clock wakes for the deadline, for signals, and for the end") {
