@@ -11,7 +11,7 @@ namespace hyrax {
 namespace {
 
 /// Lengths of panes are multiples of this [px], or the monitor's.
-constexpr int grid = 128;
+constexpr int grid = 64;
 /// Free pixels around the sprites [px]: a pane is not changed for the first steps of a walk.
 constexpr int margin = 32;
 /// Room that growth adds at least [px], for a second of a run apart.
@@ -35,10 +35,16 @@ Span down(const Rect& rect) {
     return {rect.y, rect.height};
 }
 
+Rect both_axes(auto plan, const auto&... rects) {
+    const Span x = plan(across(rects)...);
+    const Span y = plan(down(rects)...);
+    return {x.low, y.low, x.length, y.length};
+}
+
 /// What sprites of this length need in order to move a little without leaving the pane. The more
 /// of the pane is drawn anew when it slides, the less often it should.
 constexpr int roomy(int length) {
-    return length + length / 8 + 2 * margin;
+    return length + length / 16 + 2 * margin;
 }
 
 constexpr int on_grid(int length) {
@@ -65,7 +71,7 @@ Span followed(Span area, Span box, Span first, Span monitor) {
     int length = area.length;
     if (roomy(box.length) > length) {
         const int growth = std::max(reach, 2 * (box.length - first.length));
-        length = std::min(on_grid(box.length + margin + growth), monitor.length);
+        length = std::clamp(on_grid(box.length + margin + growth), length, monitor.length);
     }
     const bool both = box.low < area.low && box.high() > area.high();
     const Ahead ahead = both ? Ahead::nowhere : box.low < area.low ? Ahead::low : Ahead::high;
@@ -77,62 +83,39 @@ int fitting(int length, Span monitor) {
     return std::min(on_grid(roomy(length)), monitor.length);
 }
 
-/// The part of the area that boxes up to this length need, with room where the box is going.
-Span shrunk(Span area, int largest, Span box, Span first, Span monitor) {
-    const int moved = 2 * box.low + box.length - 2 * first.low - first.length;
+/// Around the first box.
+Span begun(Span box, Span monitor) {
+    return placed(fitting(box.length, monitor), box, Ahead::nowhere, monitor);
+}
+
+/// The part of the area that boxes up to the largest need, with room where the box is going, and as
+/// much again as it has become longer.
+Span shrunk(Span area, Span largest, Span box, Span first, Span monitor) {
+    const int longer = std::max(0, box.length - first.length);
+    const int length = std::min(area.length, fitting(largest.length + longer, monitor));
+    const int moved = 2 * (box.low - first.low) + box.length - first.length;
     const Ahead ahead = moved < 0 ? Ahead::low : moved > 0 ? Ahead::high : Ahead::nowhere;
-    return placed(std::min(area.length, fitting(largest, monitor)), box, ahead, area);
+    return placed(length, box, ahead, area);
 }
 
-Rect shrunk(const Pane& pane, Size largest) {
-    const Rect& monitor = pane.monitor;
-    const Span x = shrunk(
-        across(pane.area), largest.width, across(pane.shows), across(pane.first), across(monitor)
-    );
-    const Span y =
-        shrunk(down(pane.area), largest.height, down(pane.shows), down(pane.first), down(monitor));
-    return {x.low, y.low, x.length, y.length};
-}
-
-/// A quarter must be gained: the new surface and its full redraw are paid with it.
-bool worth_shrinking(const Rect& area, const Rect& to) {
-    return to.area() * 4 <= area.area() * 3;
-}
-
-Pane begun(const Rect& monitor, const Rect& shows, Ticks now) {
-    const Span x = placed(
-        fitting(shows.width, across(monitor)), across(shows), Ahead::nowhere, across(monitor)
-    );
-    const Span y =
-        placed(fitting(shows.height, down(monitor)), down(shows), Ahead::nowhere, down(monitor));
-    return {
-        .monitor = monitor,
-        .area = {x.low, y.low, x.length, y.length},
-        .shows = shows,
-        .since = now,
-        .first = shows,
-        .largest = {shows.width, shows.height},
-    };
+/// The area, smaller where a quarter of it can be gained: the new surface and its full redraw are
+/// paid with that.
+Rect shrunk_if_worth_it(const Pane& pane) {
+    const Rect smaller =
+        both_axes(shrunk, pane.area, pane.largest, pane.shows, pane.first, pane.monitor);
+    return smaller.area() * 4 <= pane.area.area() * 3 ? smaller : pane.area;
 }
 
 Pane continued(Pane pane, const Rect& shows, Ticks now) {
     pane.shows = shows;
-    pane.largest = {
-        std::max(pane.largest.width, shows.width), std::max(pane.largest.height, shows.height)
-    };
+    pane.largest.width = std::max(pane.largest.width, shows.width);
+    pane.largest.height = std::max(pane.largest.height, shows.height);
     if (!pane.area.contains(shows)) {
-        const Rect& first = pane.first;
-        const Rect& monitor = pane.monitor;
-        const Span x = followed(across(pane.area), across(shows), across(first), across(monitor));
-        const Span y = followed(down(pane.area), down(shows), down(first), down(monitor));
-        pane.area = {x.low, y.low, x.length, y.length};
+        pane.area = both_axes(followed, pane.area, shows, pane.first, pane.monitor);
     } else if (now - pane.since >= shrink_after) {
-        const Rect smaller = shrunk(pane, pane.largest);
-        if (worth_shrinking(pane.area, smaller)) {
-            pane.area = smaller;
-        }
+        pane.area = shrunk_if_worth_it(pane);
         pane.first = shows;
-        pane.largest = {shows.width, shows.height};
+        pane.largest = shows;
         pane.since = now;
     }
     return pane;
@@ -253,7 +236,14 @@ std::vector<Pane> plan_panes(
         if (known != before.end()) {
             panes.push_back(continued(*known, shows, now));
         } else if (std::ranges::find(panes, monitor.bounds, &Pane::monitor) == panes.end()) {
-            panes.push_back(begun(monitor.bounds, shows, now));
+            panes.push_back({
+                .monitor = monitor.bounds,
+                .area = both_axes(begun, shows, monitor.bounds),
+                .shows = shows,
+                .since = now,
+                .first = shows,
+                .largest = shows,
+            });
         }
     }
     return panes;
@@ -261,8 +251,10 @@ std::vector<Pane> plan_panes(
 
 Ticks next_plan(std::span<const Pane> panes) {
     Ticks next = never;
-    for (const Pane& pane : panes) {
-        if (worth_shrinking(pane.area, shrunk(pane, {pane.shows.width, pane.shows.height}))) {
+    for (Pane pane : panes) {
+        pane.first = pane.shows;
+        pane.largest = pane.shows;
+        if (shrunk_if_worth_it(pane) != pane.area) {
             next = std::min(next, pane.since + shrink_after);
         }
     }

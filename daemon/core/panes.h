@@ -21,7 +21,7 @@ struct Pane {
     Rect shows;       ///< Bounding box of the sprites at the latest plan.
     Ticks since = 0;  ///< Start of the span after which the area may shrink.
     Rect first;       ///< Bounding box of the sprites at `since`.
-    Size largest;     ///< Of the bounding boxes since then, in each direction.
+    Rect largest;     ///< The greatest width and height of them since then; its place says nothing.
 
     bool operator==(const Pane&) const = default;
 };

@@ -64,11 +64,11 @@ TEST_CASE("a pane holds its sprites in the middle, with room to move, within the
     const std::vector<Pane> panes = plan_panes(two_screens(), sprites, {}, 0);
     REQUIRE(panes.size() == 1);
     CHECK(panes[0].monitor == main_screen);
-    CHECK(panes[0].area == Rect{300 - 80, 400 - 80, 256, 256});
+    CHECK(panes[0].area == Rect{300 - 48, 400 - 48, 192, 192});
 
     const std::vector<Rect> at_corner{pet_at_place(1824, 984)};
     const Rect area = plan_panes(two_screens(), at_corner, {}, 0).at(0).area;
-    CHECK(area == Rect{1920 - 256, 1080 - 256, 256, 256});
+    CHECK(area == Rect{1920 - 192, 1080 - 192, 192, 192});
 }
 
 TEST_CASE("negative coordinates are like others") {
@@ -76,7 +76,7 @@ TEST_CASE("negative coordinates are like others") {
     const std::vector<Pane> panes = plan_panes(two_screens(), sprites, {}, 0);
     REQUIRE(panes.size() == 1);
     CHECK(panes[0].monitor == left_screen);
-    CHECK(panes[0].area == Rect{-1500 - 80, -200, 256, 256});
+    CHECK(panes[0].area == Rect{-1500 - 48, -198, 192, 192});
     CHECK(panes[0].area.contains(sprites[0]));
 }
 
@@ -135,13 +135,13 @@ TEST_CASE("the pane of a pet that runs across the screen stays small and keeps i
             REQUIRE(next.size() == 1);
             CHECK(next[0].area.contains(sprites[0]));
             CHECK(main_screen.contains(next[0].area));
-            CHECK(next[0].area.width == 256);
-            CHECK(next[0].area.height == 256);
+            CHECK(next[0].area.width == 192);
+            CHECK(next[0].area.height == 192);
             slides += !panes.empty() && next[0].area != panes[0].area ? 1 : 0;
             panes = std::move(next);
         }
-        // 128 px lie ahead after a slide, in each direction.
-        CHECK(slides <= 2 * (1700 / 128 + 850 / 128 + 2));
+        // 64 px lie ahead after a slide, in each direction.
+        CHECK(slides <= 2 * (1700 / 64 + 850 / 64 + 2));
     }
 }
 
@@ -153,7 +153,7 @@ TEST_CASE("pets that run side by side share a pane that slides; one that stays b
         const std::vector<Rect> herd{pet_at_place(5 * i, 500), pet_at_place(5 * i + 300, 520)};
         panes = plan_panes(monitors, herd, panes, i * ticks_per_second / 60);
         CHECK(panes.at(0).area.width == 512);
-        CHECK(panes.at(0).area.height == 256);
+        CHECK(panes.at(0).area.height == 192);
         CHECK(panes.at(0).area.contains(united(herd[0], herd[1])));
     }
     int resizes = 0;
@@ -166,6 +166,56 @@ TEST_CASE("pets that run side by side share a pane that slides; one that stays b
     }
     CHECK(resizes * 60 <= 2 * 200);
     CHECK(resizes > 0);
+}
+
+TEST_CASE("a pane does not shrink for what it will soon have to grow for again") {
+    const std::vector<Monitor> monitors = two_screens();
+    const auto sizes = [&](int seconds, auto way) {
+        std::vector<Pane> panes;
+        std::vector<int> widths;
+        for (int i = 0; i < 60 * seconds; ++i) {
+            const std::vector<Rect> pair{pet_at_place(100, 500), pet_at_place(220 + way(i), 500)};
+            panes = plan_panes(monitors, pair, panes, i * ticks_per_second / 60);
+            widths.push_back(panes.at(0).area.width);
+        }
+        return widths;
+    };
+    // Ever farther apart.
+    for (const int speed : {2, 3, 5}) {
+        CAPTURE(speed);
+        CHECK(std::ranges::is_sorted(sizes(5, [=](int i) { return i * speed; })));
+    }
+    // To and fro, twice in three seconds.
+    const std::vector<int> widths = sizes(20, [](int i) { return std::abs(i % 90 - 45) * 20; });
+    CHECK(std::ranges::count(widths, widths.back()) > 19 * 60);
+}
+
+TEST_CASE("at rest a pane ends at most a third larger than its sprites need") {
+    const std::vector<Monitor> monitors = two_screens();
+    std::mt19937 random(3);
+    std::uniform_int_distribution<int> start(0, 900);
+    std::uniform_int_distribution<int> speed(-20, 20);
+    int grown = 0;
+    for (int round = 0; round < 200; ++round) {
+        std::vector<Rect> sprites{pet_at_place(start(random), 500), pet_at_place(900, 500)};
+        const Point step{speed(random), speed(random)};
+        std::vector<Pane> panes;
+        Ticks now = 0;
+        for (int frame = 0; frame < 100; ++frame, now += ticks_per_second / 60) {
+            sprites[1].x = std::clamp(sprites[1].x + step.x, 0, 1824);
+            sprites[1].y = std::clamp(sprites[1].y + step.y, 0, 984);
+            panes = plan_panes(monitors, sprites, panes, now);
+        }
+        grown += next_plan(panes) != never ? 1 : 0;
+        while (next_plan(panes) != never) {
+            REQUIRE(next_plan(panes) > now);
+            now = next_plan(panes);
+            panes = plan_panes(monitors, sprites, panes, now);
+        }
+        const long long needed = plan_panes(monitors, sprites, {}, 0).at(0).area.area();
+        CHECK(panes.at(0).area.area() * 3 < needed * 4);
+    }
+    CHECK(grown > 50);
 }
 
 TEST_CASE("panes hold every visible pixel on random walks") {
