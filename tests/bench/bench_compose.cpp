@@ -80,7 +80,7 @@ void compose_crowd(std::ostream& table, std::ostream& csv, Meter& meter) {
     const PixelView target(canvas);
 
     table << fmt::format(
-        "ms for {} sprites of {}x{} in {}x{}\n{:<10}{:>10}{:>10}{:>16}{:>16}{:>12}{:>10}\n",
+        "ms for {} sprites of {}x{} in {}x{}\n{:<10}{:>10}{:>10}{:>16}{:>16}{:>12}{:>10}{:>14}\n",
         sprites,
         sprite_size.width,
         sprite_size.height,
@@ -92,20 +92,27 @@ void compose_crowd(std::ostream& table, std::ostream& csv, Meter& meter) {
         "erased, drawn",
         "erased, faded",
         "next frame",
-        "cold"
+        "cold",
+        "erased, cold"
     );
-    csv << "renderer,drawn_ms,faded_ms,erased_drawn_ms,erased_faded_ms,next_frame_ms,cold_ms\n";
+    csv << "renderer,drawn_ms,faded_ms,erased_drawn_ms,erased_faded_ms,next_frame_ms,cold_ms,"
+           "only_erased_cold_ms\n";
     const auto report = [&](std::string_view title, const std::vector<std::string>& cells) {
         table << fmt::format(
                      "{:<10}{:>10}{:>10}{:>16}{:>16}", title, cells[0], cells[1], cells[2], cells[3]
                  )
-              << fmt::format("{:>12}{:>10}\n", cells[4], cells[5]) << std::flush;
+              << fmt::format("{:>12}{:>10}{:>14}\n", cells[4], cells[5], cells[6]) << std::flush;
         csv << fmt::format("{},{}\n", title, fmt::join(cells, ","));
     };
     const auto measured = [&meter](const Work& work) {
         return milliseconds(meter.measure(work).nanoseconds);
     };
     const std::vector<Rect> before = places_of(drawn);
+    const Work erasing = [&] {
+        for (const Rect& place : before) {
+            erase(target, place);
+        }
+    };
     for (const Kernel kernel : available_blit_kernels()) {
         const Work next = recomposing(target, before, drawn, kernel);
         report(
@@ -115,7 +122,8 @@ void compose_crowd(std::ostream& table, std::ostream& csv, Meter& meter) {
              measured(composing(target, drawn, kernel)),
              measured(composing(target, faded, kernel)),
              measured(next),
-             milliseconds(cold_nanoseconds(next))}
+             milliseconds(cold_nanoseconds(next)),
+             milliseconds(cold_nanoseconds(erasing))}
         );
     }
     if (const Composer composer = gdiplus_composer()) {
@@ -125,6 +133,7 @@ void compose_crowd(std::ostream& table, std::ostream& csv, Meter& meter) {
              "",
              measured([&] { composer(target, drawn); }),
              measured([&] { composer(target, faded); }),
+             "",
              "",
              ""}
         );

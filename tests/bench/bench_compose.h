@@ -13,7 +13,8 @@ namespace hyrax::bench {
 
 /// Milliseconds for 100 sprites of 128x128 in a pane of 1920x1080, as drawn and at opacity 200,
 /// over whatever is there and after the whole pane was erased; and as frame after frame is drawn,
-/// where only the places of the one before are erased, with warm and with cold caches.
+/// where only the places of the one before are erased, with warm and with cold caches. With cold
+/// ones also what only erasing those places takes: the memory's share, whoever draws.
 void compose_crowd(std::ostream& table, std::ostream& csv, Meter& meter);
 
 /// Draws the frame into a target at the origin.
