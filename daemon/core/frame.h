@@ -12,14 +12,19 @@
 
 namespace hyrax {
 
-/// One drawn pet. `image` belongs to the atlas or to a speech, and outlives the frame.
+/// One drawn pet. Its image belongs to the atlas or to a speech, and outlives the frame and the one
+/// after it. Where a sprite stood can be told for longer.
 struct Sprite {
-    const Image* image = nullptr;
-    Point at;  ///< Of the image's top-left corner, virtual desktop [px].
-    PetId pet;
-    std::uint8_t opacity = 255;  ///< Of the whole sprite, above 0.
+    Sprite(const Image& picture, Point corner, PetId whose, std::uint8_t opacity_of_all = 255)
+        : image(&picture), at(corner), size(picture.size), pet(whose), opacity(opacity_of_all) {}
 
-    Rect bounds() const { return {at.x, at.y, image->size.width, image->size.height}; }
+    const Image* image;
+    Point at;  ///< Of the image's top-left corner, virtual desktop [px].
+    Size size;
+    PetId pet;
+    std::uint8_t opacity;  ///< Of the whole sprite, above 0.
+
+    Rect bounds() const { return {at.x, at.y, size.width, size.height}; }
     bool operator==(const Sprite&) const = default;
 };
 

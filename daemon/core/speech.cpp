@@ -214,8 +214,8 @@ void Speeches::show(Frame& frame, const Engine& engine, std::span<const PetId> s
             engine.arena().box_near({box.x + size.width / 2.0, box.y + size.height / 2.0});
         const Size body = bubble->image.size;
         const BubblePlace place = place_bubble(box, body, tail_size, screen);
-        frame.bubbles.push_back({&bubble->image, place.body, id});
-        frame.bubbles.push_back({place.below ? &tail_up_ : &tail_down_, place.tail, id});
+        frame.bubbles.push_back({bubble->image, place.body, id});
+        frame.bubbles.push_back({place.below ? tail_up_ : tail_down_, place.tail, id});
     }
 }
 

@@ -142,12 +142,9 @@ Staged staged(
         const CellPicture picture = atlas.cell(set, pet.kind, shown.cell, pet.faces_left, size);
         const Point corner = cell_corner(set, pet, engine.box_of(pet), size);
         if (!picture.image->pixels.empty()) {
-            result.frame.sprites.push_back({
-                .image = picture.image,
-                .at = {corner.x + picture.at.x, corner.y + picture.at.y},
-                .pet = id,
-                .opacity = opacity_of(scene.opacity * pet.opacity),
-            });
+            const Point at{corner.x + picture.at.x, corner.y + picture.at.y};
+            const std::uint8_t opacity = opacity_of(scene.opacity * pet.opacity);
+            result.frame.sprites.emplace_back(*picture.image, at, id, opacity);
         }
         if (shown.until != never && !pet.frozen()) {
             result.next_change = std::min(result.next_change, since + shown.until);

@@ -28,12 +28,10 @@ Frame crowd(const CellPicture& picture, std::uint8_t opacity) {
     };
     Frame frame;
     for (int i = 0; i < sprites; ++i) {
-        frame.sprites.push_back({
-            .image = picture.image,
-            .at = {up_to(pane.width - sprite_size.width), up_to(pane.height - sprite_size.height)},
-            .pet = {},
-            .opacity = opacity,
-        });
+        const Point at{
+            up_to(pane.width - sprite_size.width), up_to(pane.height - sprite_size.height)
+        };
+        frame.sprites.emplace_back(*picture.image, at, PetId{}, opacity);
     }
     return frame;
 }

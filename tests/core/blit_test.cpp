@@ -90,7 +90,7 @@ TEST_CASE("composing allocates nothing, with any kernel") {
     Frame frame;
     for (std::uint32_t i = 0; i < 50; ++i) {
         const Point at{up_to(400) - 32, up_to(300) - 32};
-        frame.sprites.push_back({&ink, at, {i, 1}});
+        frame.sprites.push_back({ink, at, {i, 1}});
         frame.sprites.back().opacity = i % 3 == 0 ? 100 : 255;
     }
     Image canvas(Size{400, 300});

@@ -107,8 +107,8 @@ TEST_CASE("the box stands where physics says, mirrored or not") {
 TEST_CASE("a press finds the topmost pet with a visible pixel") {
     Image image(Size{4, 4});
     image.at(1, 1) = 0xff102030U;
-    const Sprite below{&image, {-10, -20}, {1, 1}};
-    const Sprite above{&image, {-9, -20}, {2, 1}};
+    const Sprite below{image, {-10, -20}, {1, 1}};
+    const Sprite above{image, {-9, -20}, {2, 1}};
     const Frame frame{{below, above}};
     CHECK(pet_at(frame, {-9, -19}) == PetId{1, 1});
     CHECK(pet_at(frame, {-8, -19}) == PetId{2, 1});
@@ -163,7 +163,7 @@ TEST_CASE("drawing is clipped at every edge of the target") {
 
 TEST_CASE("composing a dirty rectangle leaves the rest alone and equals a full redraw") {
     const Image ink = filled({6, 6}, 0x80402010U);
-    const Frame before{{{&ink, {-30, 4}, {1, 1}}, {&ink, {-12, 4}, {2, 1}}}};
+    const Frame before{{{ink, {-30, 4}, {1, 1}}, {ink, {-12, 4}, {2, 1}}}};
     Frame after = before;
     after.sprites[0].at = {-28, 5};
     const Point origin{-40, -10};
@@ -206,7 +206,7 @@ TEST_CASE("redrawing what was drawn equals a full redraw, whoever moves, comes a
         }
         if (below(3) == 0 && after.sprites.size() < 12) {
             const auto number = static_cast<std::uint32_t>(round + 1);
-            after.sprites.push_back({&ink, {below(90) - 45, below(70) - 15}, {number, 1}});
+            after.sprites.push_back({ink, {below(90) - 45, below(70) - 15}, {number, 1}});
         }
         const PresentCost cost{.most_calls = static_cast<std::size_t>(1 + below(8))};
         const auto parts = dirty_clusters(changed_places(before, after), whole, cost);
@@ -226,8 +226,8 @@ TEST_CASE("a part of many rows is drawn without a seam") {
     Frame after;
     for (int i = 0; i < 60; ++i) {
         const Point at{i * 33 - 20, i * 26 - 40};
-        before.sprites.push_back({&ink, at, {}});
-        after.sprites.push_back({&ink, {at.x + 11, at.y - 5}, {}});
+        before.sprites.push_back({ink, at, {}});
+        after.sprites.push_back({ink, {at.x + 11, at.y - 5}, {}});
     }
     Image drawn(size);
     compose(PixelView(drawn), {}, whole, before);

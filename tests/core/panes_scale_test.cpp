@@ -28,7 +28,7 @@ std::vector<Monitor> three_in_a_row(int width, int height) {
 
 Sprite sprite(std::uint32_t index, Point at) {
     static const Image image(Size{cell, cell});
-    return {&image, at, {index, 1}};
+    return {image, at, {index, 1}};
 }
 
 long long area_of(std::span<const Rect> rects) {

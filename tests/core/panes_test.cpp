@@ -27,7 +27,7 @@ Rect pet_at_place(int x, int y) {
 
 Sprite sprite(std::uint32_t index, int x, int y) {
     static const Image image(Size{96, 96});
-    return {&image, {x, y}, {index, 1}};
+    return {image, {x, y}, {index, 1}};
 }
 
 bool covered(const std::vector<Rect>& clusters, const Rect& place) {

@@ -23,7 +23,7 @@ int raises_until(TopmostKeeper& keeper, TopmostKeeper::Sight sight, Ticks end) {
 
 Frame frame_with_pet(Point at) {
     static const Image image(Size{100, 100});
-    return {.sprites = {{&image, at, {}}}};
+    return {.sprites = {{image, at, {}}}};
 }
 
 }  // namespace

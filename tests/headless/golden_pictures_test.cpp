@@ -46,7 +46,7 @@ Frame row_of_scales(const SpriteSet& set, Atlas& atlas, std::initializer_list<do
     for (const double scale : scales) {
         const Size size = scaled(set.cell, scale);
         const CellPicture picture = atlas.cell(set, 0, 0, false, size);
-        frame.sprites.push_back({picture.image, {x + picture.at.x, picture.at.y}, {}});
+        frame.sprites.push_back({*picture.image, {x + picture.at.x, picture.at.y}, {}});
         x += size.width;
     }
     return frame;
@@ -82,7 +82,7 @@ TEST_CASE("golden pictures: over each other, facing both ways, faded, over every
     const auto put = [&](bool left, int side, Point at, std::uint8_t opacity) {
         const CellPicture picture = atlas.cell(set, 0, 0, left, {side, side});
         const Point corner{at.x + picture.at.x, at.y + picture.at.y};
-        frame.sprites.push_back({picture.image, corner, {}, opacity});
+        frame.sprites.push_back({*picture.image, corner, {}, opacity});
     };
     put(false, 96, {-30, -20}, 255);
     put(true, 96, {20, 10}, 200);

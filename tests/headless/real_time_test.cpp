@@ -31,11 +31,7 @@ Image disc(int side) {
 }
 
 Sprite sprite_of(const Image& image, std::uint32_t index, Point at) {
-    return {
-        .image = &image,
-        .at = at,
-        .pet = {index, 1},
-    };
+    return {image, at, {index, 1}};
 }
 
 const std::vector<Monitor> two_screens{screen({0, 0, 800, 600}), screen({-640, -100, 640, 480})};
@@ -116,6 +112,18 @@ TEST_CASE("a pane that shrinks while nothing moves still shows its pets") {
         CHECK(differing_pixels(overlay, together) == 0);
     }
     CHECK(overlay.counters().resizes == resizes + 1);
+}
+
+TEST_CASE("an overlay may outlive the pictures of the frame that it shows") {
+    MemoryOverlay overlay;
+    const Image image = disc(48);
+    {
+        const Image brief = disc(48);
+        overlay.present({{sprite_of(brief, 1, {100, 100})}}, two_screens, 0);
+    }
+    const Frame next{{sprite_of(image, 1, {120, 100})}};
+    overlay.present(next, two_screens, 1);
+    CHECK(differing_pixels(overlay, next) == 0);
 }
 
 TEST_CASE("equal frames present nothing") {

@@ -85,8 +85,8 @@ TEST_CASE("a picture shows pets, and bubbles above them") {
     std::ranges::fill(red.pixels, 0xFFFF0000U);
     std::ranges::fill(blue.pixels, 0xFF0000FFU);
     const Frame frame{
-        .sprites = {{&red, {10, 10}, {}}},
-        .bubbles = {{&blue, {10, 9}, {}}},
+        .sprites = {{red, {10, 10}, {}}},
+        .bubbles = {{blue, {10, 9}, {}}},
     };
     const Image image = picture(frame, {screen({0, 0, 40, 30})});
     CHECK(image.at(11, 9) == 0xFF0000FFU);

@@ -38,7 +38,7 @@ struct Pictures {
     Sprite sprite(int cell, bool left, Point at, std::uint8_t opacity = 255, int side = 128) {
         const CellPicture picture = atlas.cell(set, 0, cell, left, {side, side});
         const Point corner{at.x + picture.at.x, at.y + picture.at.y};
-        return {.image = picture.image, .at = corner, .pet = {}, .opacity = opacity};
+        return {*picture.image, corner, {}, opacity};
     }
 };
 
