@@ -23,17 +23,19 @@ BOX = (108, 92)  # of the shipped sprite
 
 def config(pets, state, fps):
     """Elastic pets that fly for ever, spread over the screen (state "flying") or slide to and fro along
-    its lower edge without friction ("floor"); or pets that lie there ("rest")."""
+    its lower edge without friction ("floor"); or pets that lie there ("rest"). In state "hurried" they fly as far
+    in a frame as they would at 60 Hz."""
     moving = state != "rest"
+    haste = fps / 60 if state == "hurried" else 1
     chance = random.Random(pets)
     start = []
     for _ in range(pets):
         pet = {"x": chance.randint(0, SCREEN[0] - BOX[0]), "y": SCREEN[1] - BOX[1]}
         if moving:
-            pet["vx"] = chance.choice((-1, 1)) * chance.randint(40, 400)
-        if state == "flying":
+            pet["vx"] = haste * chance.choice((-1, 1)) * chance.randint(40, 400)
+        if state in ("flying", "hurried"):
             pet["y"] = chance.randint(0, SCREEN[1] - BOX[1])
-            pet["vy"] = chance.randint(-400, 400)
+            pet["vy"] = haste * chance.randint(-400, 400)
         start.append(pet)
     physics = {"restitution": 1, "air_drag": 1, "ground_friction": 1, "rest_threshold": 0} if moving else {}
     return {
