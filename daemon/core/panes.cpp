@@ -35,9 +35,22 @@ Span down(const Rect& rect) {
     return {rect.y, rect.height};
 }
 
-Rect both_axes(auto plan, const auto&... rects) {
-    const Span x = plan(across(rects)...);
-    const Span y = plan(down(rects)...);
+int across(Size size) {
+    return size.width;
+}
+
+int down(Size size) {
+    return size.height;
+}
+
+Size size_of(const Rect& rect) {
+    return {rect.width, rect.height};
+}
+
+/// Plans each axis for itself.
+Rect both_axes(auto plan, const auto&... parts) {
+    const Span x = plan(across(parts)...);
+    const Span y = plan(down(parts)...);
     return {x.low, y.low, x.length, y.length};
 }
 
@@ -51,15 +64,12 @@ constexpr int on_grid(int length) {
     return (length + grid - 1) / grid * grid;
 }
 
-enum class Ahead { low, nowhere, high };
-
-/// An area of this length that holds the box and leaves the room ahead of it, within limits.
-Span placed(int length, Span box, Ahead ahead, Span limits) {
+/// An area of this length that holds the box, within limits. The room is above it where `way` is
+/// positive, below it where that is negative, else on both sides.
+Span placed(int length, Span box, int way, Span limits) {
     const int room = length - box.length;
     const int behind = std::min(margin, room);
-    const int before = ahead == Ahead::nowhere ? room / 2
-                       : ahead == Ahead::high  ? behind
-                                               : room - behind;
+    const int before = way == 0 ? room / 2 : way > 0 ? behind : room - behind;
     return {std::clamp(box.low - before, limits.low, limits.high() - length), length};
 }
 
@@ -73,9 +83,8 @@ Span followed(Span area, Span box, Span first, Span monitor) {
         const int growth = std::max(reach, 2 * (box.length - first.length));
         length = std::clamp(on_grid(box.length + margin + growth), length, monitor.length);
     }
-    const bool both = box.low < area.low && box.high() > area.high();
-    const Ahead ahead = both ? Ahead::nowhere : box.low < area.low ? Ahead::low : Ahead::high;
-    return placed(length, box, ahead, monitor);
+    const int way = (box.high() > area.high() ? 1 : 0) - (box.low < area.low ? 1 : 0);
+    return placed(length, box, way, monitor);
 }
 
 /// For sprites of this length on this monitor.
@@ -85,17 +94,16 @@ int fitting(int length, Span monitor) {
 
 /// Around the first box.
 Span begun(Span box, Span monitor) {
-    return placed(fitting(box.length, monitor), box, Ahead::nowhere, monitor);
+    return placed(fitting(box.length, monitor), box, 0, monitor);
 }
 
 /// The part of the area that boxes up to the largest need, with room where the box is going, and as
 /// much again as it has become longer.
-Span shrunk(Span area, Span largest, Span box, Span first, Span monitor) {
+Span shrunk(Span area, int largest, Span box, Span first, Span monitor) {
     const int longer = std::max(0, box.length - first.length);
-    const int length = std::min(area.length, fitting(largest.length + longer, monitor));
+    const int length = std::min(area.length, fitting(largest + longer, monitor));
     const int moved = 2 * (box.low - first.low) + box.length - first.length;
-    const Ahead ahead = moved < 0 ? Ahead::low : moved > 0 ? Ahead::high : Ahead::nowhere;
-    return placed(length, box, ahead, area);
+    return placed(length, box, moved, area);
 }
 
 /// The area, smaller where a quarter of it can be gained: the new surface and its full redraw are
@@ -115,7 +123,7 @@ Pane continued(Pane pane, const Rect& shows, Ticks now) {
     } else if (now - pane.since >= shrink_after) {
         pane.area = shrunk_if_worth_it(pane);
         pane.first = shows;
-        pane.largest = shows;
+        pane.largest = size_of(shows);
         pane.since = now;
     }
     return pane;
@@ -242,7 +250,7 @@ std::vector<Pane> plan_panes(
                 .shows = shows,
                 .since = now,
                 .first = shows,
-                .largest = shows,
+                .largest = size_of(shows),
             });
         }
     }
@@ -253,7 +261,7 @@ Ticks next_plan(std::span<const Pane> panes) {
     Ticks next = never;
     for (Pane pane : panes) {
         pane.first = pane.shows;
-        pane.largest = pane.shows;
+        pane.largest = size_of(pane.shows);
         if (shrunk_if_worth_it(pane) != pane.area) {
             next = std::min(next, pane.since + shrink_after);
         }

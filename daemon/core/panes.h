@@ -21,7 +21,7 @@ struct Pane {
     Rect shows;       ///< Bounding box of the sprites at the latest plan.
     Ticks since = 0;  ///< Start of the span after which the area may shrink.
     Rect first;       ///< Bounding box of the sprites at `since`.
-    Rect largest;     ///< The greatest width and height of them since then; its place says nothing.
+    Size largest;     ///< The greatest width and height of such boxes since then.
 
     bool operator==(const Pane&) const = default;
 };

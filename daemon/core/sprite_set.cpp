@@ -3,7 +3,6 @@
 
 #include "daemon/core/check.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
