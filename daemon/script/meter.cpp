@@ -134,6 +134,9 @@ void* Meter::allocate(void* meter, void* block, std::size_t old_size, std::size_
     }
     if (grows) {
         self.units_ -= static_cast<std::int64_t>((new_size - before) / bytes_per_unit);
+        if (self.limits_.pulse != nullptr) {
+            self.limits_.pulse->beat();  // The cap and the units see to it that growth ends.
+        }
     }
     self.heap_ = self.heap_ - before + new_size;
     return moved;

@@ -258,6 +258,18 @@ TEST_CASE("only processor time counts against a script, not time on the wall") {
     CHECK(errors.contains("used more than 100 ms of processor time in one call"));
 }
 
+TEST_CASE("growing memory is a sign of life, so that the watchdog waits for the cap") {
+    const auto beats = [](const std::string& last) {
+        ScriptPulse pulse{};
+        const std::string text =
+            "table.concat(setmetatable({}, { __index = type }), '', 1, " + last + ")";
+        CHECK(errors_of(text, {.pulse = &pulse}).contains("not enough memory") == (last != "1"));
+        return pulse.beats.load();
+    };
+    // No instruction runs; the buffer doubles from 1 KiB to half the cap of 16 MiB.
+    CHECK(beats("1 << 50") >= beats("1") + 13);
+}
+
 TEST_CASE("bytecode is refused") {
     must_fail("assert(load('\\27Lua\\x54\\0\\x19\\x93\\r\\n\\x1a\\n', 'x', 'b'))", "binary chunk");
     must_fail("local d = string.dump(print)", "dump");
