@@ -41,6 +41,7 @@ def scenes():
     for pets in COUNTS:
         yield pets, "flying", FAST
     yield 100, "flying", SLOW
+    yield 100, "floor", FAST
     yield 100, "floor", SLOW
     for pets in COUNTS:
         yield pets, "rest", FAST
@@ -184,15 +185,16 @@ def goals(data):
     """(goal, limit, measured, met)"""
     native, on_wine, machine = data["headless"], data["wine"], data["machine"][0]
     moving = one(native, 100, "flying")
-    flying = at_its_rate(moving, "process")
     resting = [row for rows in (native, on_wine) for row in rows if row["state"] == "rest"]
     woken = max(row["presents"] + row["timer_wakeups"] for row in resting)
     starts = {name: data[f"{name}-start"][0]["start"] for name in ("headless", "wine")}
-    yield ("engine, planners and composition, 100 pets flying at 60 Hz, native", "<= 0.02 core",
-           f"{core(flying)} core", flying <= 0.02)  # fmt: skip
+    for state in ("floor", "flying"):
+        used = at_its_rate(one(native, 100, state), "process")
+        yield (f"engine, planners and composition, 100 pets {WORDS[state]} at 60 Hz, native", "<= 0.02 core",
+               f"{core(used)} core", used <= 0.02)  # fmt: skip
     dense = data["headless-dense"][0]
     work = FAST * dense["process_core"] / dense["frames"]
-    yield (f"the same, 60 of {DENSE} frames a second in which pets fly as far", "<= 0.02 core", f"{core(work)} core",
+    yield (f"the same, flying, 60 of {DENSE} frames a second in which pets come as far", "<= 0.02 core", f"{core(work)} core",
            work <= 0.02)  # fmt: skip
     yield ("all at rest: presents and timer wake-ups", "0", f"{woken:.1f} a second", woken == 0)
     for state in ("floor", "flying"):
