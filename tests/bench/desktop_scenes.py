@@ -19,13 +19,20 @@ import wine  # noqa: E402
 
 SCREEN = (1920, 1080)
 BOX = (108, 92)  # of the shipped sprite
+THROW = """
+hyrax.every(3, function()
+    for _, pet in ipairs(hyrax.pets{ all = true }) do
+        pet:fling(math.random(-600, 600), math.random(-900, -300))
+    end
+end)
+"""
 
 
 def config(pets, state, fps):
     """Elastic pets that fly for ever, spread over the screen (state "flying") or slide to and fro along
-    its lower edge without friction ("floor"); or pets that lie there ("rest"). In state "hurried" they fly as far
-    in a frame as they would at 60 Hz."""
-    moving = state != "rest"
+    its lower edge without friction ("floor"); or pets that lie there ("rest"), or are thrown from there every three
+    seconds, with the shipped physics ("thrown"). In state "hurried" they fly as far in a frame as they would at 60 Hz."""
+    moving = state not in ("rest", "thrown")
     haste = fps / 60 if state == "hurried" else 1
     chance = random.Random(pets)
     start = []
@@ -42,14 +49,21 @@ def config(pets, state, fps):
         "physics": physics,
         "pets": {"start": start, "max": 1000, "drowsy_after": 8 if moving else 0},
         "overlay": {"fps": fps},
-        "scripts": {"run": []},
+        "scripts": {"run": ["throw.lua"] if state == "thrown" else []},
     }
 
 
-def cpu_and_wakeups(pid):
+def furnish(folder, settings):
+    """A profile with these settings, and the script that they may name."""
+    (folder / "scripts").mkdir(parents=True)
+    (folder / "scripts" / "throw.lua").write_text(THROW)
+    (folder / "config.json").write_text(json.dumps(settings))
+
+
+def cpu_and_wakeups(pids):
     """Seconds of processor time and voluntary context switches of all threads so far."""
     cpu = wakeups = 0
-    for task in Path(f"/proc/{pid}/task").iterdir():
+    for task in [task for pid in pids for task in Path(f"/proc/{pid}/task").iterdir()]:
         try:
             cpu += int((task / "schedstat").read_text().split()[0]) / 1e9
             wakeups += int(re.search(r"^voluntary_ctxt_switches:\s+(\d+)", (task / "status").read_text(), re.M)[1])
@@ -68,8 +82,7 @@ class Headless:
     """hyrax-headless on the real clock."""
 
     def __init__(self, program, folder, settings):
-        folder.mkdir(parents=True)
-        (folder / "config.json").write_text(json.dumps(settings))
+        furnish(folder, settings)
         self.statistics = folder / "statistics.jsonl"
         self.begin = time.time()
         log = open(folder / "hyrax.log", "wb")
@@ -79,7 +92,7 @@ class Headless:
             stdout=log, stderr=log,
         )  # fmt: skip
         log.close()
-        self.pid, self.others = self._process.pid, {}
+        self.pid, self.hosts, self.others = self._process.pid, [], {}
         # Before it listens, the signal would end it.
         blocked = lambda: int(re.search(r"^SigBlk:\s+(\w+)", Path(f"/proc/{self.pid}/status").read_text(), re.M)[1], 16)
         desktop.wait_for(lambda: blocked() >> (signal.SIGUSR1 - 1) & 1, 30, "hyrax-headless", step=0.002)
@@ -93,11 +106,10 @@ class Headless:
 
 
 class OnWine:
-    """hyrax.exe on a virtual desktop; `others` are the processes that work for it."""
+    """hyrax.exe on a virtual desktop; `hosts` are those of scripts, `others` the processes that work for it."""
 
     def __init__(self, desk, exe, post, folder, settings):
-        folder.mkdir(parents=True)
-        (folder / "config.json").write_text(json.dumps(settings))
+        furnish(folder, settings)
         self._desk, self._exe, self._post, self._folder = desk, exe, post, folder
         # Beside the profile, whose changes would wake the daemon.
         self.statistics = folder.with_suffix(".jsonl")
@@ -107,6 +119,10 @@ class OnWine:
             wine.windows_path(self.statistics),
         )  # fmt: skip
         self.pid = self._program.pid
+
+    @property
+    def hosts(self):
+        return [pid for pid, line in self._desk.processes() if "hyrax.exe" in line.split()[0] and pid != self.pid]
 
     @property
     def others(self):
@@ -143,11 +159,11 @@ def measure(shown, settle, seconds):
     time.sleep(settle)
     first = shown.tell()
     time.sleep(0.5)  # what asked has ended by then
-    pids = {"process": shown.pid, **shown.others}
-    before = {name: cpu_and_wakeups(pid) for name, pid in pids.items()}
+    pids = {"process": [shown.pid, *shown.hosts]} | {name: [pid] for name, pid in shown.others.items()}
+    before = {name: cpu_and_wakeups(of) for name, of in pids.items()}
     begin = time.monotonic()
     time.sleep(seconds)
-    after = {name: cpu_and_wakeups(pid) for name, pid in pids.items()}
+    after = {name: cpu_and_wakeups(of) for name, of in pids.items()}
     passed = time.monotonic() - begin
     last = shown.tell()
     resident, anonymous, proportional = memory(shown.pid)
