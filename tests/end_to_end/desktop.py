@@ -171,6 +171,7 @@ class VirtualDesktop:
     def __enter__(self):
         try:
             self.prefix = wine.clone(self._registry)
+            wine.keep_server(self.prefix)
             self.folder = self._folder or self.prefix / "logs"
             self.folder.mkdir(parents=True, exist_ok=True)
             self._start_server()

@@ -102,6 +102,15 @@ def remove(prefix):
     shutil.rmtree(prefix, ignore_errors=True)
 
 
+def keep_server(prefix):
+    """Has Wine's server wait a minute for further programs, unless end() comes first. Debian's ends with its
+    last program, and a program that starts meanwhile meets one that is dying."""
+    subprocess.run(
+        ["wineserver", "-p60"], env=environment(prefix), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL, timeout=60, check=True,
+    )  # fmt: skip
+
+
 def windows_path(path):
     """How a Windows program names a file of this machine."""
     return "Z:" + str(Path(path).resolve()).replace("/", "\\")
