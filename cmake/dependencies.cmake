@@ -68,7 +68,7 @@ if(MSVC)
     target_compile_options(hyrax_lua PRIVATE /TP /W0) # untried
 else()
     target_compile_options(hyrax_lua PRIVATE -w -ffp-contract=off -fstack-protector-strong)
-    # Scripts have limits of processor time: a debug build must not meet them three times as early.
+    # Scripts have limits of processor time, which a debug build must not meet any earlier.
     target_compile_options(hyrax_lua PRIVATE $<$<CONFIG:Debug>:-O2>)
     # os.tmpname fails: it would use tmpnam, against which the linker warns, and no script may call it.
     target_compile_options(hyrax_lua PRIVATE -DLUA_TMPNAMBUFSIZE=1 "-Dlua_tmpnam(b,e)=((e)=1)")

@@ -106,7 +106,7 @@ class Headless:
 
 
 class OnWine:
-    """hyrax.exe on a virtual desktop; `hosts` are those of scripts, `others` the processes that work for it."""
+    """hyrax.exe on a virtual desktop; `hosts` are its processes for scripts, `others` those that serve it."""
 
     def __init__(self, desk, exe, post, folder, settings):
         furnish(folder, settings)
