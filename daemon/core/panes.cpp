@@ -1,259 +1,253 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/core/panes.h"
 
+#include "daemon/core/clusters.h"
+#include "daemon/core/pane_shape.h"
+
 #include <algorithm>
-#include <cstdint>
+#include <iterator>
 #include <limits>
-#include <unordered_map>
+#include <utility>
 
 namespace hyrax {
 
 namespace {
 
-/// Lengths of panes are multiples of this [px], or the monitor's.
-constexpr int grid = 64;
-/// Free pixels around the sprites [px]: a pane is not changed for the first steps of a walk.
-constexpr int margin = 32;
-/// Room that growth adds at least [px], for a second of a run apart.
-constexpr int reach = 384;
 constexpr Ticks shrink_after = ticks_per_second;
-
-/// One axis of a rectangle [px].
-struct Span {
-    int low;
-    int length;
-
-    int high() const { return low + length; }
-    bool contains(Span other) const { return low <= other.low && other.high() <= high(); }
-};
-
-Span across(const Rect& rect) {
-    return {rect.x, rect.width};
-}
-
-Span down(const Rect& rect) {
-    return {rect.y, rect.height};
-}
-
-int across(Size size) {
-    return size.width;
-}
-
-int down(Size size) {
-    return size.height;
-}
+/// Of a pane that has no window yet.
+constexpr std::size_t no_slot = std::numeric_limits<std::size_t>::max();
 
 Size size_of(const Rect& rect) {
     return {rect.width, rect.height};
 }
 
-/// Plans each axis for itself.
-Rect both_axes(auto plan, const auto&... parts) {
-    const Span x = plan(across(parts)...);
-    const Span y = plan(down(parts)...);
-    return {x.low, y.low, x.length, y.length};
+void widen(Size& size, const Rect& box) {
+    size.width = std::max(size.width, box.width);
+    size.height = std::max(size.height, box.height);
 }
 
-/// What sprites of this length need in order to move a little without leaving the pane. The more
-/// of the pane is drawn anew when it slides, the less often it should.
-constexpr int roomy(int length) {
-    return length + length / 16 + 2 * margin;
+bool meet(const Rect& a, const Rect& b) {
+    return !intersection(a, b).empty();
 }
 
-constexpr int on_grid(int length) {
-    return (length + grid - 1) / grid * grid;
-}
+/// The panes of one monitor, in the making.
+class MonitorPlan {
+public:
+    MonitorPlan(const PaneScene& scene, const Rect& monitor, Ticks now);
 
-/// An area of this length that holds the box, within limits. The room is above it where `way` is
-/// positive, below it where that is negative, else on both sides.
-Span placed(int length, Span box, int way, Span limits) {
-    const int room = length - box.length;
-    const int behind = std::min(margin, room);
-    const int before = way == 0 ? room / 2 : way > 0 ? behind : room - behind;
-    return {std::clamp(box.low - before, limits.low, limits.high() - length), length};
-}
+    std::vector<Pane> continued(std::span<const Pane> before);
 
-/// The area after the box has left it: it slides, or grows if the box is too long for that.
-Span followed(Span area, Span box, Span first, Span monitor) {
-    if (area.contains(box)) {
-        return area;
-    }
-    int length = area.length;
-    if (roomy(box.length) > length) {
-        const int growth = std::max(reach, 2 * (box.length - first.length));
-        length = std::clamp(on_grid(box.length + margin + growth), length, monitor.length);
-    }
-    const int way = (box.high() > area.high() ? 1 : 0) - (box.low < area.low ? 1 : 0);
-    return placed(length, box, way, monitor);
-}
+private:
+    Pane begun(const Rect& shows, std::size_t slot = no_slot) const;
+    std::vector<Rect> groups_of(std::span<const Rect> boxes) const;
+    bool belong_together(const Rect& a, const Rect& b) const;
+    void assign_sprites();
+    void follow_sprites();
+    bool divide(std::size_t index);
+    bool join_a_pair();
+    void join(std::size_t first, std::size_t second);
 
-/// For sprites of this length on this monitor.
-int fitting(int length, Span monitor) {
-    return std::min(on_grid(roomy(length)), monitor.length);
-}
+    const Rect& monitor_;
+    bool drawable_;
+    Ticks now_;
+    std::vector<Rect> boxes_;  ///< What is seen of the sprites.
+    std::vector<Pane> panes_;
+};
 
-/// Around the first box.
-Span begun(Span box, Span monitor) {
-    return placed(fitting(box.length, monitor), box, 0, monitor);
-}
-
-/// The part of the area that boxes up to the largest need, with room where the box is going, and as
-/// much again as it has become longer.
-Span shrunk(Span area, int largest, Span box, Span first, Span monitor) {
-    const int longer = std::max(0, box.length - first.length);
-    const int length = std::min(area.length, fitting(largest + longer, monitor));
-    const int moved = 2 * (box.low - first.low) + box.length - first.length;
-    return placed(length, box, moved, area);
-}
-
-/// The area, smaller where a quarter of it can be gained: the new surface and its full redraw are
-/// paid with that.
-Rect shrunk_if_worth_it(const Pane& pane) {
-    const Rect smaller =
-        both_axes(shrunk, pane.area, pane.largest, pane.shows, pane.first, pane.monitor);
-    return smaller.area() * 4 <= pane.area.area() * 3 ? smaller : pane.area;
-}
-
-Pane continued(Pane pane, const Rect& shows, Ticks now) {
-    pane.shows = shows;
-    pane.largest.width = std::max(pane.largest.width, shows.width);
-    pane.largest.height = std::max(pane.largest.height, shows.height);
-    if (!pane.area.contains(shows)) {
-        pane.area = both_axes(followed, pane.area, shows, pane.first, pane.monitor);
-    } else if (now - pane.since >= shrink_after) {
-        pane.area = shrunk_if_worth_it(pane);
-        pane.first = shows;
-        pane.largest = size_of(shows);
-        pane.since = now;
-    }
-    return pane;
-}
-
-Rect seen_on(const Rect& monitor, std::span<const Rect> sprites) {
-    Rect box;
-    for (const Rect& sprite : sprites) {
-        box = united(box, intersection(sprite, monitor));
-    }
-    return box;
-}
-
-/// How many more pixels one rectangle around both has than the two of them.
-long long waste(const Rect& a, const Rect& b) {
-    return united(a, b).area() - a.area() - b.area();
-}
-
-/// The spare pixels cost less than a further call, or are at most 0.3 of the two.
-bool belong_together(const Rect& a, const Rect& b, long long call_px) {
-    return waste(a, b) <= std::max(call_px, (a.area() + b.area()) * 3 / 10);
-}
-
-/// Joins the rectangle with a cluster it belongs to, and the result with the next one, until it
-/// stands alone.
-void add_to(std::vector<Rect>& clusters, Rect rect, long long call_px) {
-    for (std::size_t i = 0; i < clusters.size();) {
-        if (belong_together(clusters[i], rect, call_px)) {
-            rect = united(clusters[i], rect);
-            clusters[i] = clusters.back();
-            clusters.pop_back();
-            i = 0;
-        } else {
-            ++i;
+MonitorPlan::MonitorPlan(const PaneScene& scene, const Rect& monitor, Ticks now)
+    : monitor_(monitor), drawable_(scene.drawable), now_(now) {
+    boxes_.reserve(scene.sprites.size());
+    for (const Rect& sprite : scene.sprites) {
+        if (const Rect seen = intersection(sprite, monitor); !seen.empty()) {
+            boxes_.push_back(seen);
         }
     }
-    clusters.push_back(rect);
 }
 
-void join_cheapest_pair(std::vector<Rect>& clusters, long long call_px) {
-    std::size_t first = 0;
-    std::size_t second = 1;
+std::vector<Pane> MonitorPlan::continued(std::span<const Pane> before) {
+    std::ranges::copy_if(before, std::back_inserter(panes_), [this](const Pane& pane) {
+        return pane.monitor == monitor_;
+    });
+    assign_sprites();
+    follow_sprites();
+    while (join_a_pair()) {}
+    return std::move(panes_);
+}
+
+Pane MonitorPlan::begun(const Rect& shows, std::size_t slot) const {
+    return {
+        .slot = slot,
+        .monitor = monitor_,
+        .area = fitted_area(shows, monitor_),
+        .shows = shows,
+        .since = now_,
+        .first = shows,
+        .largest = size_of(shows),
+    };
+}
+
+/// Windows of their own would meet, or cost more than one around both.
+bool MonitorPlan::belong_together(const Rect& a, const Rect& b) const {
+    const Rect one = fitted_area(a, monitor_);
+    const Rect two = fitted_area(b, monitor_);
+    return meet(one, two) ||
+           fitted_area(united(a, b), monitor_).area() <= one.area() + two.area() + window_px;
+}
+
+std::vector<Rect> MonitorPlan::groups_of(std::span<const Rect> boxes) const {
+    return clusters_of(boxes, most_panes, [this](const Rect& a, const Rect& b) {
+        return belong_together(a, b);
+    });
+}
+
+/// Sprites stay with the pane they are in, others begin a new one. One that is in two makes them
+/// meet soon.
+void MonitorPlan::assign_sprites() {
+    for (Pane& pane : panes_) {
+        pane.shows = {};
+    }
+    std::vector<Rect> strays;
+    for (const Rect& box : boxes_) {
+        const auto home =
+            std::ranges::find_if(panes_, [&](const Pane& pane) { return meet(pane.area, box); });
+        if (home != panes_.end()) {
+            home->shows = united(home->shows, box);
+        } else {
+            strays.push_back(box);
+        }
+    }
+    std::erase_if(panes_, [](const Pane& pane) { return pane.shows.empty(); });
+    for (const Rect& group : groups_of(strays)) {
+        panes_.push_back(begun(group));
+    }
+}
+
+void MonitorPlan::follow_sprites() {
+    const std::size_t known = panes_.size();
+    for (std::size_t i = 0; i < known; ++i) {
+        Pane& pane = panes_[i];
+        widen(pane.largest, pane.shows);
+        const bool left = !pane.area.contains(pane.shows);
+        if (!left && now_ - pane.since < shrink_after) {
+            continue;
+        }
+        if (drawable_ && divide(i)) {
+            continue;
+        }
+        pane.area = left ? followed_area(pane) : shrunk_area(pane);
+        if (!left) {
+            pane.since = now_;
+            pane.first = pane.shows;
+            pane.largest = size_of(pane.shows);
+        }
+    }
+}
+
+/// Replaces the pane by several if they cost a quarter less than one that fits.
+bool MonitorPlan::divide(std::size_t index) {
+    const Pane whole = panes_[index];
+    std::vector<Rect> inside;
+    std::ranges::copy_if(boxes_, std::back_inserter(inside), [&](const Rect& box) {
+        return whole.shows.contains(box);
+    });
+    const std::vector<Rect> groups = groups_of(inside);
+    if (groups.size() < 2) {
+        return false;
+    }
+    std::vector<Pane> parts;
+    long long cost = -window_px;
+    for (const Rect& group : groups) {
+        parts.push_back(begun(group));
+        cost += parts.back().area.area() + window_px;
+    }
+    if (cost * 4 > fitted_area(whole.shows, monitor_).area() * 3) {
+        return false;
+    }
+    const auto heir = std::ranges::max_element(parts, {}, [&](const Pane& part) {
+        return intersection(part.area, whole.area).area();
+    });
+    heir->slot = whole.slot;
+    panes_[index] = *heir;
+    parts.erase(heir);
+    panes_.insert(panes_.end(), parts.begin(), parts.end());
+    return true;
+}
+
+/// Two panes that meet or belong together, or the cheapest pair of too many.
+bool MonitorPlan::join_a_pair() {
+    std::pair<std::size_t, std::size_t> cheapest;
     long long least = std::numeric_limits<long long>::max();
-    for (std::size_t i = 0; i < clusters.size(); ++i) {
-        for (std::size_t k = i + 1; k < clusters.size(); ++k) {
-            const long long extra = waste(clusters[i], clusters[k]);
-            if (extra < least) {
+    for (std::size_t i = 0; i < panes_.size(); ++i) {
+        for (std::size_t k = i + 1; k < panes_.size(); ++k) {
+            const Pane& a = panes_[i];
+            const Pane& b = panes_[k];
+            if (meet(a.area, b.area) || belong_together(a.shows, b.shows)) {
+                join(i, k);
+                return true;
+            }
+            if (const long long extra = waste(a.area, b.area); extra < least) {
                 least = extra;
-                first = i;
-                second = k;
+                cheapest = {i, k};
             }
         }
     }
-    const Rect joined = united(clusters[first], clusters[second]);
-    clusters[second] = clusters.back();
-    clusters.pop_back();
-    clusters[first] = clusters.back();
-    clusters.pop_back();
-    add_to(clusters, joined, call_px);
-}
-
-std::uint64_t key_of(PetId id) {
-    return (std::uint64_t{id.generation} << 32U) | id.index;
-}
-
-/// Both frames show the same pets in the same order.
-bool same_cast(const Frame& a, const Frame& b) {
-    return std::ranges::equal(a.sprites, b.sprites, {}, &Sprite::pet, &Sprite::pet);
-}
-
-/// For pets that came, went or changed their order: a pet that stands before others than it did
-/// counts as changed, too.
-std::vector<Rect> changed_cast(const Frame& before, const Frame& after) {
-    std::unordered_map<std::uint64_t, std::size_t> places_before;
-    for (std::size_t i = 0; i < before.sprites.size(); ++i) {
-        places_before.emplace(key_of(before.sprites[i].pet), i);
+    if (panes_.size() <= most_panes) {
+        return false;
     }
-    std::vector<Rect> places;
-    std::vector<bool> unchanged(before.sprites.size(), false);
-    std::size_t in_order_from = 0;
-    for (const Sprite& sprite : after.sprites) {
-        const auto found = places_before.find(key_of(sprite.pet));
-        if (found != places_before.end() && found->second >= in_order_from &&
-            before.sprites[found->second] == sprite) {
-            in_order_from = found->second + 1;
-            unchanged[found->second] = true;
-        } else {
-            places.push_back(sprite.bounds());
+    join(cheapest.first, cheapest.second);
+    return true;
+}
+
+/// The larger one goes on, in its area if that is enough, with the lower slot: the window of a
+/// crowd, which is large, then seldom goes.
+void MonitorPlan::join(std::size_t first, std::size_t second) {
+    Pane larger = panes_[first];
+    Pane other = panes_[second];
+    panes_.erase(panes_.begin() + static_cast<std::ptrdiff_t>(second));
+    if (other.area.area() > larger.area.area()) {
+        std::swap(larger, other);
+    }
+    const std::size_t slot = std::min(larger.slot, other.slot);
+    const Rect shows = united(larger.shows, other.shows);
+    if (larger.area.contains(shows)) {
+        larger.slot = slot;
+        larger.shows = shows;
+        widen(larger.largest, shows);
+        panes_[first] = larger;
+    } else {
+        panes_[first] = begun(shows, slot);
+    }
+}
+
+/// Each without one gets the lowest that none has.
+void give_slots(std::vector<Pane>& panes) {
+    for (Pane& pane : panes) {
+        if (pane.slot != no_slot) {
+            continue;
         }
-    }
-    for (std::size_t i = 0; i < before.sprites.size(); ++i) {
-        if (!unchanged[i]) {
-            places.push_back(before.sprites[i].bounds());
+        std::size_t slot = 0;
+        while (std::ranges::find(panes, slot, &Pane::slot) != panes.end()) {
+            ++slot;
         }
+        pane.slot = slot;
     }
-    return places;
 }
 
 }  // namespace
 
-std::vector<Pane> plan_panes(
-    std::span<const Monitor> monitors,
-    std::span<const Rect> sprites,
-    std::span<const Pane> before,
-    Ticks now,
-    std::span<const Rect> kept_free
-) {
+std::vector<Pane> plan_panes(const PaneScene& scene, std::span<const Pane> before, Ticks now) {
     std::vector<Pane> panes;
-    for (const Monitor& monitor : monitors) {
-        if (std::ranges::find(kept_free, monitor.bounds) != kept_free.end()) {
-            continue;
-        }
-        const Rect shows = seen_on(monitor.bounds, sprites);
-        if (shows.empty()) {
-            continue;
-        }
-        const auto known = std::ranges::find(before, monitor.bounds, &Pane::monitor);
-        if (known != before.end()) {
-            panes.push_back(continued(*known, shows, now));
-        } else if (std::ranges::find(panes, monitor.bounds, &Pane::monitor) == panes.end()) {
-            panes.push_back({
-                .monitor = monitor.bounds,
-                .area = both_axes(begun, shows, monitor.bounds),
-                .shows = shows,
-                .since = now,
-                .first = shows,
-                .largest = size_of(shows),
-            });
+    for (const Monitor& monitor : scene.monitors) {
+        const Rect& bounds = monitor.bounds;
+        // Mirrored monitors have the same bounds.
+        if (std::ranges::find(scene.kept_free, bounds) == scene.kept_free.end() &&
+            std::ranges::find(panes, bounds, &Pane::monitor) == panes.end()) {
+            std::ranges::move(
+                MonitorPlan(scene, bounds, now).continued(before), std::back_inserter(panes)
+            );
         }
     }
+    give_slots(panes);
     return panes;
 }
 
@@ -262,56 +256,11 @@ Ticks next_plan(std::span<const Pane> panes) {
     for (Pane pane : panes) {
         pane.first = pane.shows;
         pane.largest = size_of(pane.shows);
-        if (shrunk_if_worth_it(pane) != pane.area) {
+        if (shrunk_area(pane) != pane.area) {
             next = std::min(next, pane.since + shrink_after);
         }
     }
     return next;
-}
-
-std::vector<Rect> places_of(const Frame& frame) {
-    std::vector<Rect> places;
-    places.reserve(frame.sprites.size());
-    for (const Sprite& sprite : frame.sprites) {
-        places.push_back(sprite.bounds());
-    }
-    return places;
-}
-
-std::vector<Rect> changed_places(const Frame& before, const Frame& after) {
-    if (!same_cast(before, after)) {
-        return changed_cast(before, after);
-    }
-    std::vector<Rect> places;
-    for (std::size_t i = 0; i < after.sprites.size(); ++i) {
-        if (before.sprites[i] != after.sprites[i]) {
-            places.push_back(before.sprites[i].bounds());
-            places.push_back(after.sprites[i].bounds());
-        }
-    }
-    return places;
-}
-
-std::vector<Rect> dirty_clusters(
-    std::span<const Rect> places, const Rect& area, const PresentCost& cost
-) {
-    std::vector<Rect> clusters;
-    for (const Rect& place : places) {
-        const Rect seen = intersection(place, area);
-        if (seen.empty()) {
-            continue;
-        }
-        add_to(clusters, seen, cost.call_px);
-        while (clusters.size() > std::max<std::size_t>(cost.most_calls, 1)) {
-            join_cheapest_pair(clusters, cost.call_px);
-        }
-    }
-    for (const Rect& cluster : clusters) {
-        if (cluster.area() * 100 >= area.area() * cost.whole_percent) {
-            return {area};
-        }
-    }
-    return clusters;
 }
 
 }  // namespace hyrax

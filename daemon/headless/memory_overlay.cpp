@@ -22,38 +22,39 @@ void MemoryOverlay::present(const Frame& frame, std::span<const Monitor> monitor
         return;
     }
     ++counters_.frames;
-    plan(frame, monitors, now);
+    plan({monitors, places_of(frame), frame.kept_free}, now);
     const std::vector<Rect> changed = changed_places(frame_, frame);
     const std::vector<Rect> before = places_of(frame_);
     for (const Pane& pane : plan_) {
-        draw(shown_on(pane.monitor), pane.area, {frame, changed, before});
+        const PresentCost cost{.most_calls = calls_for_each_of(plan_.size())};
+        draw(shown_in(pane.slot), pane.area, {frame, changed, before, cost});
     }
     frame_ = frame;
 }
 
 void MemoryOverlay::present_again(std::span<const Monitor> monitors, Ticks now) {
-    plan(frame_, monitors, now);
+    plan({monitors, places_of(frame_), frame_.kept_free, false}, now);
     for (const Pane& pane : plan_) {
-        Shown& shown = shown_on(pane.monitor);
+        Shown& shown = shown_in(pane.slot);
         if (shown.area != pane.area && shown.area.contains(pane.area)) {
             crop(shown, pane.area);
         }
     }
 }
 
-void MemoryOverlay::plan(const Frame& frame, std::span<const Monitor> monitors, Ticks now) {
-    plan_ = plan_panes(monitors, places_of(frame), plan_, now, frame.kept_free);
+void MemoryOverlay::plan(const PaneScene& scene, Ticks now) {
+    plan_ = plan_panes(scene, plan_, now);
     std::erase_if(shown_, [this](const Shown& shown) {
-        return std::ranges::find(plan_, shown.monitor, &Pane::monitor) == plan_.end();
+        return std::ranges::find(plan_, shown.slot, &Pane::slot) == plan_.end();
     });
 }
 
-MemoryOverlay::Shown& MemoryOverlay::shown_on(const Rect& monitor) {
-    const auto found = std::ranges::find(shown_, monitor, &Shown::monitor);
+MemoryOverlay::Shown& MemoryOverlay::shown_in(std::size_t slot) {
+    const auto found = std::ranges::find(shown_, slot, &Shown::slot);
     if (found != shown_.end()) {
         return *found;
     }
-    shown_.push_back({.monitor = monitor, .area = {}, .pixels = {}});
+    shown_.push_back({.slot = slot, .area = {}, .pixels = {}});
     return shown_.back();
 }
 
@@ -67,7 +68,7 @@ void MemoryOverlay::draw(Shown& shown, const Rect& area, const Change& change) {
     }
     const PixelView view(shown.pixels.data(), area.width, {area.width, area.height});
     const std::vector<Rect> parts =
-        anew ? std::vector{area} : dirty_clusters(change.places, area, PresentCost{});
+        anew ? std::vector{area} : dirty_clusters(change.places, area, change.cost);
     recompose(view, {area.x, area.y}, parts, anew ? parts : change.before, change.frame);
     for (const Rect& part : parts) {
         count(part);

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "daemon/core/arena.h"
+#include "daemon/core/dirty.h"
 #include "daemon/core/frame.h"
 #include "daemon/core/panes.h"
 #include "daemon/core/statistics.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -33,7 +35,7 @@ public:
 
 private:
     struct Shown {
-        Rect monitor;
+        std::size_t slot;
         Rect area;                  ///< Empty: everything must be drawn.
         std::vector<Pixel> pixels;  ///< Rows of the area without gaps; never gives room back.
     };
@@ -42,10 +44,11 @@ private:
         const Frame& frame;
         std::span<const Rect> places;
         std::span<const Rect> before;
+        PresentCost cost;
     };
 
-    Shown& shown_on(const Rect& monitor);
-    void plan(const Frame& frame, std::span<const Monitor> monitors, Ticks now);
+    void plan(const PaneScene& scene, Ticks now);
+    Shown& shown_in(std::size_t slot);
     void draw(Shown& shown, const Rect& area, const Change& change);
     void crop(Shown& shown, const Rect& area);
     void count(const Rect& presented);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "daemon/core/arena.h"
+#include "daemon/core/dirty.h"
 #include "daemon/core/frame.h"
 #include "daemon/core/panes.h"
 #include "daemon/core/topmost.h"
@@ -54,11 +55,16 @@ public:
     const OverlayCounters& counters() const { return counters_; }
 
 private:
+    struct Changes {
+        std::vector<Rect> changed;  ///< Places that look otherwise than before,
+        std::vector<Rect> before;   ///< and those of all sprites of the frame before.
+    };
+
     PaneWindow* find(HWND window) const;
-    PaneWindow* window_on(const Rect& monitor);
-    void plan(const Frame& frame, std::span<const Monitor> monitors, Ticks now);
+    PaneWindow* window_of(const Pane& pane);
+    void show(const Pane& pane, const Frame& frame, const Changes& changes);
     void apply_capture(PaneWindow& window);
-    void retire_windows(const Frame& frame, std::span<const Monitor> monitors);
+    void retire_windows();
 
     MessageHandler& handler_;
     PaneClicks clicks_;

@@ -27,7 +27,7 @@ void render(
     std::span<const Rect> parts,
     std::span<const Rect> before
 ) {
-    const Point origin{picture.area.x, picture.area.y};
+    const Point origin{picture.pane.area.x, picture.pane.area.y};
     if (picture.renderer == Renderer::blit) {
         recompose(target, origin, parts, before, picture.frame);
         return;
@@ -52,9 +52,9 @@ bool overlaps(const RECT& rect, const Rect& area) {
 }  // namespace
 
 Result<std::unique_ptr<PaneWindow>> PaneWindow::create(
-    const Rect& monitor, PaneClicks clicks, MessageHandler& handler
+    std::size_t slot, PaneClicks clicks, MessageHandler& handler
 ) {
-    std::unique_ptr<PaneWindow> pane(new PaneWindow(monitor));
+    std::unique_ptr<PaneWindow> pane(new PaneWindow(slot));
     const DWORD style =
         clicks == PaneClicks::on_pixels ? pane_style : pane_style | WS_EX_TRANSPARENT;
     Result<Window> window = create_window(
@@ -77,12 +77,13 @@ PaneWindow::~PaneWindow() {
 }
 
 void PaneWindow::show(const PanePicture& picture, OverlayCounters& counters) {
-    const Rect& area = picture.area;
+    const Rect& area = picture.pane.area;
+    const Rect& monitor = picture.pane.monitor;
     const Size size{area.width, area.height};
     blank_ = false;
     if (!complete_ || area != area_ || picture.outline_rows != outline_rows_) {
         counters.resizes += size != Size{area_.width, area_.height} ? 1U : 0U;
-        const Result<bool> room = surface_.make_room(size, {monitor_.width, monitor_.height});
+        const Result<bool> room = surface_.make_room(size, {monitor.width, monitor.height});
         if (!room) {
             spdlog::error("{}", room.error().message);
             complete_ = false;
@@ -127,6 +128,9 @@ void PaneWindow::draw(
 bool PaneWindow::show_again(const Rect& area, OverlayCounters& counters) {
     if (!visible_ || blank_ || !area_.contains(area)) {
         return false;
+    }
+    if (complete_ && area == area_) {
+        return true;
     }
     counters.resizes += area != area_ ? 1U : 0U;
     const PixelView view = surface_.view({area_.width, area_.height});

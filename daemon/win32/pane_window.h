@@ -4,6 +4,7 @@
 #pragma once
 
 #include "daemon/core/frame.h"
+#include "daemon/core/panes.h"
 #include "daemon/core/result.h"
 #include "daemon/core/statistics.h"
 #include "daemon/core/topmost.h"
@@ -11,6 +12,7 @@
 #include "daemon/win32/surface.h"
 #include "physics/geometry.h"
 
+#include <cstddef>
 #include <memory>
 #include <span>
 
@@ -18,7 +20,7 @@ namespace hyrax::win32 {
 
 /// What a pane is to show.
 struct PanePicture {
-    const Rect& area;  ///< Within the monitor: this part of the frame.
+    const Pane& pane;  ///< Its area is the part of the frame.
     const Frame& frame;
     std::span<const Rect> dirty;
     std::span<const Rect> before;  ///< Where the sprites of the frame before stand.
@@ -31,24 +33,24 @@ enum class PaneClicks : std::uint8_t { on_pixels, pass_through };
 
 class PaneWindow {
 public:
-    /// `monitor` bounds the window for its whole life.
     [[nodiscard]] static Result<std::unique_ptr<PaneWindow>> create(
-        const Rect& monitor, PaneClicks clicks, MessageHandler& handler
+        std::size_t slot, PaneClicks clicks, MessageHandler& handler
     );
 
     PaneWindow(const PaneWindow&) = delete;
     PaneWindow& operator=(const PaneWindow&) = delete;
     ~PaneWindow();
 
-    const Rect& monitor() const { return monitor_; }
+    /// Shows the panes of this slot, one after the other.
+    std::size_t slot() const { return slot_; }
     HWND window() const { return window_.raw(); }
     bool visible() const { return visible_; }
 
     /// Shows the picture. If the window already shows its area, only the dirty rectangles are drawn
     /// and presented.
     void show(const PanePicture& picture, OverlayCounters& counters);
-    /// Presents the pixels that show() has drawn, or those of them in a smaller area. False if
-    /// there are none.
+    /// Presents the pixels that show() has drawn, or those of them in a smaller area, unless they
+    /// are there. False if there are none.
     bool show_again(const Rect& area, OverlayCounters& counters);
     void hide();
     /// Stays visible for the system, but without a pixel.
@@ -67,7 +69,7 @@ public:
     bool has_pixel_at(Point point) const;
 
 private:
-    explicit PaneWindow(const Rect& monitor) : monitor_(monitor) {}
+    explicit PaneWindow(std::size_t slot) : slot_(slot) {}
 
     bool below_taskbar() const;
     void draw(
@@ -76,7 +78,7 @@ private:
     bool present(const Rect* dirty, OverlayCounters& counters);
     void renew_layer();
 
-    Rect monitor_;
+    std::size_t slot_;
     Surface surface_;
     Window window_;
     Rect area_;

@@ -2,7 +2,7 @@
 #include "tests/bench/bench_compose.h"
 
 #include "daemon/core/atlas.h"
-#include "daemon/core/panes.h"
+#include "daemon/core/dirty.h"
 #include "daemon/core/sprite_set.h"
 
 #include <fmt/format.h>

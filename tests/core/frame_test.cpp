@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // From motion to pixels: poses, stages, frames, the blitter.
 #include "daemon/core/blit.h"
+#include "daemon/core/dirty.h"
 #include "daemon/core/pacer.h"
-#include "daemon/core/panes.h"
 #include "daemon/core/stage.h"
 #include "daemon/core/world_clock.h"
 

@@ -102,7 +102,7 @@ TEST_CASE("panes in memory hold bubbles, above the pets") {
 TEST_CASE("a pane that shrinks while nothing moves still shows its pets") {
     const Image image = disc(48);
     MemoryOverlay overlay;
-    const Frame apart{{sprite_of(image, 1, {620, 420}), sprite_of(image, 2, {20, 20})}};
+    const Frame apart{{sprite_of(image, 1, {620, 420}), sprite_of(image, 2, {450, 420})}};
     const Frame together{{sprite_of(image, 1, {620, 420}), sprite_of(image, 2, {640, 400})}};
     overlay.present(apart, two_screens, 0);
     overlay.present(together, two_screens, ticks_per_ms);
