@@ -180,6 +180,7 @@ int run_daemon(const Places& places, const DaemonCommandLine& line, const std::w
         daemon.run_due();
         return !daemon.is_ending();
     });
+    (*desktop)->on_session_end([&daemon] { daemon.end(); });
     const auto tell_statistics = [&] {
         if (line.common.statistics) {
             log_failure(append_statistics(

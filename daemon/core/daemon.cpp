@@ -41,11 +41,15 @@ void Daemon::run() {
             handle(input);
         }
     }
-    end_scripts();
+    end();
 }
 
 // What scripts keep as they hear of the end is written, if they say it in time.
-void Daemon::end_scripts() {
+void Daemon::end() {
+    if (std::exchange(ended_, true)) {
+        return;
+    }
+    quitting_ = true;
     constexpr std::chrono::milliseconds patience{300};
     const Ticks now = desktop_.now();
     scripts_.end(engine_, monitors_, {.world = clock_.at(now), .machine = now}, patience);
@@ -111,7 +115,7 @@ void Daemon::draw(Ticks now) {
     if (speeches_.concern(next.speakers)) {
         speeches_.show(next.frame, engine_, next.speakers);
     }
-    if (next.frame != frame_) {
+    if (next.frame != frame_ || std::exchange(frame_lost_, false)) {
         frame_ = std::move(next.frame);
         desktop_.present(frame_);
     }

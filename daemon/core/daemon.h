@@ -70,8 +70,11 @@ public:
     /// defaults.
     Daemon(Desktop& desktop, DaemonOptions options);
 
-    /// Until a Quit request.
+    /// Until a Quit request; then end().
     void run();
+    /// Ends the scripts and writes what they keep; run() comes back as soon as wait() does. For a
+    /// session that ends: the process may not live to see run() do it.
+    void end();
     /// Draws the frame that is due, if one is. For message loops that are not run()'s own: menus.
     void run_due();
     /// True once somebody has asked it to end: run() comes back as soon as wait() does.
@@ -116,6 +119,7 @@ private:
     void on(const input::MenuWanted& wanted);
     void on(const input::PointerLost& lost);
     void on(const input::MonitorsChanged& changed);
+    void on(const input::FrameLost& lost);
     void on(const input::FilesChanged& changed);
     void on(const input::FactsChanged& changed);
     void on(const input::ScriptsHeard& heard);
@@ -192,7 +196,6 @@ private:
     void grant(const command::Hotkey& wish, Ticks now);
 
     void grant_wishes(Ticks now);
-    void end_scripts();
     void draw(Ticks now);
     void welcome();
     void report();
@@ -225,7 +228,8 @@ private:
     std::vector<ScriptSource> sources_;
     std::vector<std::string> script_names_;  ///< Those that are off as well.
     std::vector<PluginEntry> plugins_;
-    std::string plugin_kinds_;  ///< stamp_of_kinds()
+    std::string plugin_kinds_;                 ///< stamp_of_kinds()
+    std::optional<std::string> sprite_files_;  ///< stamp_of_folder() of the user's, once read.
     std::string plugins_ask_;
     Remembered remembered_;
     Remembered saved_;  ///< As state.json has it.
@@ -238,6 +242,7 @@ private:
     Conduct conduct_;
     Hand hand_;
     Frame frame_;
+    bool frame_lost_ = false;
     Ticks next_frame_ = 0;
     Ticks begin_ = 0;
     Ticks drawing_ = 0;  ///< Time spent in draw().
@@ -245,6 +250,7 @@ private:
     bool changed_ = true;
     bool welcomed_ = false;
     bool quitting_ = false;
+    bool ended_ = false;
 
     // What is wrong, one line each, by source; shown until that source is read without an error.
     std::string config_problem_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The daemon's ears: what inputs and requests ask of the engine.
 #include "daemon/core/daemon.h"
+#include "daemon/core/files.h"
 #include "daemon/core/log_failure.h"
 
 #include <spdlog/spdlog.h>
@@ -70,8 +71,15 @@ void Daemon::on(const input::MonitorsChanged&) {
     use_monitors();
 }
 
+void Daemon::on(const input::FrameLost&) {
+    frame_lost_ = true;
+}
+
 void Daemon::on(const input::FilesChanged&) {
     read_config();
+    if (stamp_of_folder(profile_.user / "sprites") != sprite_files_) {
+        read_kinds();
+    }
     read_scripts();
 }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <utility>
 
 namespace hyrax {
@@ -66,7 +67,11 @@ void Daemon::read_config() {
 }
 
 void Daemon::read_kinds() {
-    LoadedKinds loaded = load_kinds(profile_, decode_);
+    // What is there before the first reading is a placeholder.
+    const std::span<const SpriteSet> before =
+        sprite_files_ ? std::span<const SpriteSet>(sets_) : std::span<const SpriteSet>();
+    sprite_files_ = stamp_of_folder(profile_.user / "sprites");
+    LoadedKinds loaded = load_kinds(profile_, decode_, before);
     add_plugin_kinds(loaded, plugins_, sets_, decode_);
     for (const std::string& problem : loaded.problems) {
         spdlog::error("{}", problem);

@@ -62,6 +62,8 @@ struct MenuWanted {
 struct PointerLost {};
 /// Screens came, went or changed, or so did a taskbar.
 struct MonitorsChanged {};
+/// What was presented is not seen any more: the frame is to be presented once more, changed or not.
+struct FrameLost {};
 /// A file of the profile may have changed: config.json, a script, a sprite set.
 struct FilesChanged {};
 /// Who is in front, or how the machine is, has changed.
@@ -97,6 +99,7 @@ using Input = std::variant<
     input::MenuWanted,
     input::PointerLost,
     input::MonitorsChanged,
+    input::FrameLost,
     input::FilesChanged,
     input::FactsChanged,
     input::ScriptsHeard,
@@ -156,7 +159,8 @@ public:
     virtual Ticks now() = 0;
     /// Sleeps until there is input or the deadline has come; `never` waits for input alone.
     virtual std::vector<Input> wait(Ticks deadline) = 0;
-    /// Shows the frame, or as much of it as differs from the one before. Its images stay as they
+    /// Shows the frame, or as much of it as differs from the one before. May get the same again, to
+    /// show all of it that is not seen. Its images stay as they
     /// are until the next call.
     virtual void present(const Frame& frame) = 0;
     /// Who draws the frames from now on; the first one, too.

@@ -2,7 +2,9 @@
 #include "daemon/core/files.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <fstream>
@@ -126,6 +128,24 @@ Result<void> write_file_atomically(const fs::path& path, std::string_view text) 
         return failure(fmt::format("{}: cannot be replaced: {}", utf8_from_path(path), why));
     }
     return {};
+}
+
+std::string stamp_of_folder(const fs::path& folder) {
+    std::vector<std::string> files;
+    std::error_code error;
+    fs::recursive_directory_iterator entry(folder, error);
+    for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+        std::error_code unreadable;
+        files.push_back(fmt::format(
+            " {} {} {}",
+            utf8_from_path(entry->path()),
+            entry->is_regular_file(unreadable) ? entry->file_size(unreadable) : 0,
+            entry->last_write_time(unreadable).time_since_epoch().count()
+        ));
+    }
+    // The order of a folder's entries is nobody's promise.
+    std::ranges::sort(files);
+    return fmt::format("{}", fmt::join(files, ""));
 }
 
 std::string utf8_from_path(const fs::path& path) {

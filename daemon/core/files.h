@@ -30,6 +30,10 @@ namespace hyrax {
     const std::filesystem::path& path, std::string_view text
 );
 
+/// A text that is another one when a file below the folder has come, gone or been written; empty
+/// if there is none.
+std::string stamp_of_folder(const std::filesystem::path& folder);
+
 /// The path for messages and JSON, in UTF-8 on every system.
 std::string utf8_from_path(const std::filesystem::path& path);
 

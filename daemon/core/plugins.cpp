@@ -307,18 +307,8 @@ std::string stamp_of_kinds(const std::vector<PluginEntry>& plugins) {
             continue;
         }
         for (const PluginKind& kind : entry.plugin->kinds) {
-            stamp += whole_name(*entry.plugin, kind);
-            std::error_code error;
-            for (const fs::directory_entry& each :
-                 fs::directory_iterator(folder_of(*entry.plugin, kind), error)) {
-                std::error_code unreadable;
-                stamp += fmt::format(
-                    " {} {} {}",
-                    utf8_from_path(each.path()),
-                    each.file_size(unreadable),
-                    each.last_write_time(unreadable).time_since_epoch().count()
-                );
-            }
+            stamp +=
+                whole_name(*entry.plugin, kind) + stamp_of_folder(folder_of(*entry.plugin, kind));
         }
     }
     return stamp;

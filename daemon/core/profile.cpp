@@ -61,7 +61,9 @@ bool is_inside(const fs::path& name) {
 
 }  // namespace
 
-LoadedKinds load_kinds(const Profile& profile, const ImageDecoder& decode) {
+LoadedKinds load_kinds(
+    const Profile& profile, const ImageDecoder& decode, std::span<const SpriteSet> before
+) {
     std::map<std::string, fs::path> folders;
     find_sprite_folders(profile.user / "sprites", folders);
     find_sprite_folders(profile.shipped / "config" / "sprites", folders);
@@ -72,7 +74,11 @@ LoadedKinds load_kinds(const Profile& profile, const ImageDecoder& decode) {
         Result<SpriteSet> set = load_sprite_set(folder, decode);
         if (!set) {
             loaded.problems.push_back(set.error().message);
-            continue;
+            const auto old = std::ranges::find(before, name, &SpriteSet::name);
+            if (old == before.end()) {
+                continue;
+            }
+            set = *old;
         }
         set->name = name;
         has_hyrax = has_hyrax || name == "hyrax";

@@ -6,6 +6,7 @@
 #include "daemon/core/sprite_set.h"
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,9 +31,11 @@ struct LoadedKinds {
 };
 
 /// Reads every folder with a sprite.json in user/sprites and shipped/config/sprites, sorted by
-/// name. A set that cannot be read is left out; where no "hyrax" can be read, a placeholder takes
-/// its place.
-LoadedKinds load_kinds(const Profile& profile, const ImageDecoder& decode);
+/// name. A set that cannot be read stays as it was `before`, or is left out if it is new; where no
+/// "hyrax" can be read, a placeholder takes its place.
+LoadedKinds load_kinds(
+    const Profile& profile, const ImageDecoder& decode, std::span<const SpriteSet> before = {}
+);
 
 struct LoadedScripts {
     std::vector<ScriptSource> sources;

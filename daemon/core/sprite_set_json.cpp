@@ -229,6 +229,20 @@ Result<Size> checked_size(std::span<const std::byte> file, std::string_view name
     return *size;
 }
 
+/// Clear where nothing is seen, and with no colour above alpha, whatever the decoder made of it:
+/// such a pixel would shine.
+Pixel cleaned(Pixel pixel) {
+    const unsigned alpha = alpha_of(pixel);
+    if (alpha < least_alpha) {
+        return 0;
+    }
+    Pixel result = Pixel{alpha} << 24U;
+    for (const unsigned shift : {0U, 8U, 16U}) {
+        result |= std::min((pixel >> shift) & 0xFFU, alpha) << shift;
+    }
+    return result;
+}
+
 Result<Image> load_sheet(const fs::path& path, Size cell, const ImageDecoder& decode) {
     const Result<std::vector<std::byte>> file = read_binary_file(path, max_image_file_bytes);
     if (!file) {
@@ -257,9 +271,7 @@ Result<Image> load_sheet(const fs::path& path, Size cell, const ImageDecoder& de
     if (sheet->size != *size || sheet->pixels.size() != Image(*size).pixels.size()) {
         return failure(fmt::format("{}: was decoded to another size than its header says", name));
     }
-    std::ranges::replace_if(
-        sheet->pixels, [](Pixel pixel) { return alpha_of(pixel) < least_alpha; }, Pixel{0}
-    );
+    std::ranges::transform(sheet->pixels, sheet->pixels.begin(), cleaned);
     return sheet;
 }
 

@@ -3,6 +3,8 @@
 
 #include "daemon/win32/text.h"
 
+#include <spdlog/spdlog.h>
+
 #include <array>
 #include <utility>
 
@@ -67,6 +69,19 @@ Result<void> Autostart::set(bool on) const {
         ::RegSetKeyValueW(HKEY_CURRENT_USER, run_.c_str(), entry, REG_SZ, text.c_str(), bytes),
         "autostart: the entry cannot be written"
     );
+}
+
+void Autostart::offer_restart(const std::wstring& arguments) const {
+    const DWORD flags = is_on() ? DWORD{RESTART_NO_REBOOT} : 0;
+    if (const HRESULT done = ::RegisterApplicationRestart(arguments.c_str(), flags); FAILED(done)) {
+        spdlog::warn("Windows will not start hyrax again after an update (error {:#x})", done);
+    }
+}
+
+std::wstring restart_arguments(const std::filesystem::path& profile) {
+    // A backslash before the closing quote would be taken for a part of the name.
+    const std::filesystem::path folder = profile.has_filename() ? profile : profile.parent_path();
+    return L"--autostart --profile \"" + folder.wstring() + L'"';
 }
 
 }  // namespace hyrax::win32

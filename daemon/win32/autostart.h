@@ -26,10 +26,17 @@ public:
     /// What stands in the entry, quoted: a path with blanks would start something else.
     std::wstring command() const;
 
+    /// Asks Windows to start the program once more with these arguments when an update had to end
+    /// it, or when it crashed. Not after a restart of the machine if the session starts it anyway.
+    void offer_restart(const std::wstring& arguments) const;
+
 private:
     std::filesystem::path program_;
     std::wstring run_;
     std::wstring approved_;
 };
+
+/// Of a start that goes on with this profile and asks for nothing.
+std::wstring restart_arguments(const std::filesystem::path& profile);
 
 }  // namespace hyrax::win32

@@ -28,6 +28,7 @@ enum class TestFact : WPARAM {
     display_off = 4,
     animations = 5,
     monitors = 6,  ///< That many of those that are there, the first ones; 0: none.
+    wider = 7,     ///< The first monitor reads as wider by so many pixels.
 };
 
 inline constexpr UINT_PTR modal_timer = 1;

@@ -31,17 +31,15 @@ public:
         again_at_ = never;
         candidate_.clear();
     }
-    /// The machine has slept: screens may come back one by one, seconds later, and tell nothing.
+    /// The machine has slept, or was locked.
     void woke_up(Ticks now) {
         hint(now);
-        woke_at_ = now;
-        next_look_ = 0;
+        look_later(now);
     }
     /// When to read the monitors and call `settle`; `never` while nothing happens.
     Ticks due() const {
-        const Ticks look = next_look_ < looks_after_sleep.size()
-                               ? woke_at_ + looks_after_sleep[next_look_]
-                               : never;
+        const Ticks look =
+            next_look_ < later_looks.size() ? looks_since_ + later_looks[next_look_] : never;
         return std::min({hints_.due(), again_at_, look});
     }
 
@@ -49,8 +47,7 @@ public:
     bool settle(std::vector<Monitor> reading, Ticks now) {
         hints_.take(now);
         again_at_ = never;
-        while (next_look_ < looks_after_sleep.size() &&
-               woke_at_ + looks_after_sleep[next_look_] <= now) {
+        while (next_look_ < later_looks.size() && looks_since_ + later_looks[next_look_] <= now) {
             ++next_look_;
         }
         if (reading.empty()) {
@@ -67,6 +64,7 @@ public:
             return false;
         }
         current_ = std::exchange(candidate_, {});
+        look_later(now);
         return true;
     }
 
@@ -75,16 +73,22 @@ public:
 private:
     static constexpr Ticks confirm_after = 150 * ticks_per_ms;
     static constexpr Ticks retry_after = ticks_per_second;
-    static constexpr std::array<Ticks, 3> looks_after_sleep{
+    static constexpr std::array<Ticks, 3> later_looks{
         ticks_per_second, 5 * ticks_per_second, 10 * ticks_per_second
     };
+
+    /// Screens come and go one by one, seconds apart, and not each of them is told of.
+    void look_later(Ticks now) {
+        looks_since_ = now;
+        next_look_ = 0;
+    }
 
     std::vector<Monitor> current_;
     std::vector<Monitor> candidate_;  ///< Seen once; empty if none.
     Debounce hints_{300 * ticks_per_ms, 2 * ticks_per_second};
     Ticks again_at_ = never;
-    Ticks woke_at_ = 0;
-    std::size_t next_look_ = looks_after_sleep.size();
+    Ticks looks_since_ = 0;
+    std::size_t next_look_ = later_looks.size();
 };
 
 }  // namespace hyrax::win32

@@ -49,7 +49,7 @@ void Overlay::present(const Frame& frame, std::span<const Monitor> monitors, Tic
     for (const bool first : {true, false}) {
         for (const Pane& pane : plan_) {
             if (gains(pane, panes_before) == first) {
-                show(pane, frame, changes);
+                show(pane, frame, changes, now);
             }
         }
     }
@@ -57,7 +57,7 @@ void Overlay::present(const Frame& frame, std::span<const Monitor> monitors, Tic
     retire_windows();
 }
 
-void Overlay::show(const Pane& pane, const Frame& frame, const Changes& changes) {
+void Overlay::show(const Pane& pane, const Frame& frame, const Changes& changes, Ticks now) {
     PaneWindow* const window = window_of(pane);
     if (window == nullptr) {
         return;
@@ -66,21 +66,30 @@ void Overlay::show(const Pane& pane, const Frame& frame, const Changes& changes)
     const std::vector<Rect> dirty = dirty_clusters(changes.changed, pane.area, cost);
     const int rows = wine_ ? outline_rows(frame.sprites.size()) : 1;
     const bool appears = !window->visible();
-    window->show({pane, frame, dirty, changes.before, renderer_, rows}, counters_);
+    window->show({pane, frame, dirty, changes.before, renderer_, rows}, now, counters_);
     if (appears && hidden_from_capture_) {
         apply_capture(*window);
     }
 }
 
-void Overlay::present_again(std::span<const Monitor> monitors, Ticks now) {
+Ticks Overlay::due() const {
+    Ticks due = stale_ ? 0 : next_plan(plan_);
+    for (const auto& window : windows_) {
+        due = std::min(due, window->retry_at());
+    }
+    return due;
+}
+
+bool Overlay::present_again(std::span<const Monitor> monitors, Ticks now) {
     stale_ = false;
     plan_ = plan_panes({monitors, places_of(frame_), frame_.kept_free, false}, plan_, now);
     for (const Pane& pane : plan_) {
         if (PaneWindow* const window = window_of(pane)) {
-            undrawn_ = !window->show_again(pane.area, counters_) || undrawn_;
+            undrawn_ = !window->show_again(pane.area, now, counters_) || undrawn_;
         }
     }
     retire_windows();
+    return !undrawn_;
 }
 
 /// Windows without a pane are hidden until another pane needs one; without any pet, they go.

@@ -22,10 +22,11 @@ public:
 
     /// Shows the frame. Does nothing if it equals the one before and no pane is due to shrink.
     void present(const Frame& frame, std::span<const Monitor> monitors, Ticks now);
-    /// When to call present_again(): a pane may shrink, or has lost its pixels. Else `never`.
-    Ticks due() const { return stale_ ? 0 : next_plan(plan_); }
-    /// Shows once more what the latest present() has drawn; needs none of its images.
-    void present_again(std::span<const Monitor> monitors, Ticks now);
+    /// When to call present_again(): a pane may shrink, or is not shown as it should. Else `never`.
+    Ticks due() const;
+    /// Shows once more what the latest present() has drawn; needs none of its images. False where
+    /// that is not enough: only another present(), maybe of the same frame, shows all of it.
+    [[nodiscard]] bool present_again(std::span<const Monitor> monitors, Ticks now);
 
     /// Draws everything anew with another one.
     void use_renderer(Renderer renderer);
@@ -62,7 +63,7 @@ private:
 
     PaneWindow* find(HWND window) const;
     PaneWindow* window_of(const Pane& pane);
-    void show(const Pane& pane, const Frame& frame, const Changes& changes);
+    void show(const Pane& pane, const Frame& frame, const Changes& changes, Ticks now);
     void apply_capture(PaneWindow& window);
     void retire_windows();
 

@@ -4,6 +4,7 @@
 #include "daemon/core/blit.h"
 #include "daemon/core/coarse_outline.h"
 #include "daemon/win32/gdiplus_renderer.h"
+#include "daemon/win32/text.h"
 
 #include <spdlog/spdlog.h>
 
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cwchar>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 namespace hyrax::win32 {
@@ -76,7 +78,10 @@ PaneWindow::~PaneWindow() {
     }
 }
 
-void PaneWindow::show(const PanePicture& picture, OverlayCounters& counters) {
+void PaneWindow::show(const PanePicture& picture, Ticks now, OverlayCounters& counters) {
+    if (retry_at_ != never && now < retry_at_) {
+        return;
+    }
     const Rect& area = picture.pane.area;
     const Rect& monitor = picture.pane.monitor;
     const Size size{area.width, area.height};
@@ -85,18 +90,13 @@ void PaneWindow::show(const PanePicture& picture, OverlayCounters& counters) {
         counters.resizes += size != Size{area_.width, area_.height} ? 1U : 0U;
         const Result<bool> room = surface_.make_room(size, {monitor.width, monitor.height});
         if (!room) {
-            spdlog::error("{}", room.error().message);
-            complete_ = false;
+            refused(now, room.error().message);
             return;
         }
         area_ = area;
         outline_rows_ = picture.outline_rows;
         draw(picture, {&area, 1}, {&area, 1});
-        complete_ = present(nullptr, counters);
-        if (!complete_) {
-            renew_layer();
-            complete_ = present(nullptr, counters);
-        }
+        present_all(now, counters);
     } else {
         std::vector<Rect> parts;
         for (const Rect& part : picture.dirty) {
@@ -105,12 +105,37 @@ void PaneWindow::show(const PanePicture& picture, OverlayCounters& counters) {
         // A coarse outline leaves pixels beside the sprites.
         draw(picture, parts, outline_rows_ == 1 ? picture.before : parts);
         for (const Rect& part : parts) {
-            complete_ = present(&part, counters) && complete_;
+            if (!present(&part, counters)) {
+                present_all(now, counters);
+                break;
+            }
         }
     }
     if (!visible_ && complete_) {
         ::ShowWindow(window(), SW_SHOWNOACTIVATE);
         visible_ = true;
+    }
+}
+
+/// Tried twice: what brings a layered window back whose updates fail, as they do once some other
+/// program has called SetLayeredWindowAttributes on it, is to renew its layer.
+void PaneWindow::present_all(Ticks now, OverlayCounters& counters) {
+    complete_ = present(nullptr, counters);
+    if (!complete_) {
+        renew_layer();
+        complete_ = present(nullptr, counters);
+    }
+    if (!complete_) {
+        refused(now, system_error("pets cannot be shown").message);
+    } else if (std::exchange(retry_at_, never) != never) {
+        spdlog::info("pets are shown again");
+    }
+}
+
+void PaneWindow::refused(Ticks now, const std::string& why) {
+    complete_ = false;
+    if (std::exchange(retry_at_, now + 5 * ticks_per_second) == never) {
+        spdlog::error("{}; tried again every 5 s", why);
     }
 }
 
@@ -125,7 +150,7 @@ void PaneWindow::draw(
     }
 }
 
-bool PaneWindow::show_again(const Rect& area, OverlayCounters& counters) {
+bool PaneWindow::show_again(const Rect& area, Ticks now, OverlayCounters& counters) {
     if (!visible_ || blank_ || !area_.contains(area)) {
         return false;
     }
@@ -141,7 +166,7 @@ bool PaneWindow::show_again(const Rect& area, OverlayCounters& counters) {
         std::copy_n(from, area.width, view.pixels + std::ptrdiff_t{y} * view.stride);
     }
     area_ = area;
-    complete_ = present(nullptr, counters);
+    present_all(now, counters);
     return true;
 }
 
@@ -180,8 +205,6 @@ bool PaneWindow::present(const Rect* dirty, OverlayCounters& counters) {
     return false;
 }
 
-/// What brings a layered window back whose updates fail, as they do once some other program has
-/// called SetLayeredWindowAttributes on it.
 void PaneWindow::renew_layer() {
     const LONG_PTR styles = ::GetWindowLongPtrW(window(), GWL_EXSTYLE);
     ::SetWindowLongPtrW(window(), GWL_EXSTYLE, styles & ~LONG_PTR{WS_EX_LAYERED});
@@ -192,8 +215,10 @@ void PaneWindow::hide() {
     if (visible_) {
         ::ShowWindow(window(), SW_HIDE);
         visible_ = false;
+        surface_.let_go();
     }
     complete_ = false;
+    retry_at_ = never;
 }
 
 void PaneWindow::show_nothing(OverlayCounters& counters) {

@@ -11,10 +11,12 @@
 #include "daemon/win32/message_window.h"
 #include "daemon/win32/surface.h"
 #include "physics/geometry.h"
+#include "physics/ticks.h"
 
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
 
 namespace hyrax::win32 {
 
@@ -47,11 +49,13 @@ public:
     bool visible() const { return visible_; }
 
     /// Shows the picture. If the window already shows its area, only the dirty rectangles are drawn
-    /// and presented.
-    void show(const PanePicture& picture, OverlayCounters& counters);
+    /// and presented. When the system refuses, nothing is tried for 5 s.
+    void show(const PanePicture& picture, Ticks now, OverlayCounters& counters);
     /// Presents the pixels that show() has drawn, or those of them in a smaller area, unless they
     /// are there. False if there are none.
-    bool show_again(const Rect& area, OverlayCounters& counters);
+    bool show_again(const Rect& area, Ticks now, OverlayCounters& counters);
+    /// When to try again what the system has refused; else `never`.
+    Ticks retry_at() const { return retry_at_; }
     void hide();
     /// Stays visible for the system, but without a pixel.
     void show_nothing(OverlayCounters& counters);
@@ -76,6 +80,8 @@ private:
         const PanePicture& picture, std::span<const Rect> parts, std::span<const Rect> before
     );
     bool present(const Rect* dirty, OverlayCounters& counters);
+    void present_all(Ticks now, OverlayCounters& counters);
+    void refused(Ticks now, const std::string& why);
     void renew_layer();
 
     std::size_t slot_;
@@ -83,6 +89,7 @@ private:
     Window window_;
     Rect area_;
     int outline_rows_ = 1;
+    Ticks retry_at_ = never;
     bool visible_ = false;
     bool complete_ = false;  ///< The system shows all of area_ as the surface has it.
     bool blank_ = false;     ///< The system shows no pixel of area_.

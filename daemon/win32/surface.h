@@ -20,6 +20,9 @@ public:
     /// Makes room for this size, which will not exceed `limit`. True if the old pixels are gone.
     [[nodiscard]] Result<bool> make_room(Size size, Size limit);
 
+    /// Gives the memory back.
+    void let_go();
+
     /// The top-left part of this size; must fit.
     PixelView view(Size size) const;
     HDC dc() const { return dc_.raw(); }
@@ -31,8 +34,6 @@ private:
     HGDIOBJ selected_before_ = nullptr;
     Pixel* pixels_ = nullptr;
     Size capacity_;
-
-    void let_go();
 };
 
 }  // namespace hyrax::win32

@@ -54,6 +54,7 @@ Result<void> Win32Desktop::start() {
     hotkeys_.emplace(daemon_.raw());
     front_.emplace(daemon_.raw());
     machine_.emplace(daemon_.raw(), clock_now(), facts_);
+    autostart_.offer_restart(restart_arguments(options_.profile));
     return {};
 }
 
@@ -187,8 +188,8 @@ void Win32Desktop::do_chores() {
     tray_->retry(time);
     look_around(time);
     for (Overlay* overlay : {&overlay_, &bubbles_}) {
-        if (time >= overlay->due()) {
-            overlay->present_again(screens_.current(), time);
+        if (time >= overlay->due() && !overlay->present_again(screens_.current(), time)) {
+            inbox_.emplace_back(input::FrameLost{});
         }
     }
 }

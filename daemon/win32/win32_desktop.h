@@ -63,6 +63,10 @@ public:
     using ModalTick = std::function<bool(const std::vector<Input>& inbox)>;
     void on_modal_tick(ModalTick go_on) { go_on_ = std::move(go_on); }
 
+    /// Called from wait() when the session ends: the process may be gone once the system has its
+    /// answer. A Quit request follows.
+    void on_session_end(std::function<void()> end) { end_session_ = std::move(end); }
+
     /// Called from wait() for each message `hyrax.statistics` (RegisterWindowMessage) that the
     /// daemon's window gets.
     void on_statistics_request(std::function<void()> tell) { tell_statistics_ = std::move(tell); }
@@ -111,6 +115,7 @@ private:
     void tell_facts(Ticks time);
     std::vector<Monitor> read_screens() const;
 
+    void end_session();
     void ask(Request request);
     void on_screens_hint();
     bool on_handed_over(LPARAM copy_data);
@@ -130,6 +135,7 @@ private:
 
     Win32DesktopOptions options_;
     ModalTick go_on_;
+    std::function<void()> end_session_;
     std::function<void()> tell_statistics_;
     std::vector<Input> inbox_;
     DesktopCounters counters_;  ///< Without the overlay's.
@@ -152,6 +158,7 @@ private:
     Conduct conduct_;
     TopmostKeeper topmost_;
     bool little_power_ = false;
+    int wider_ = 0;  ///< [px], see TestFact.
     std::size_t most_screens_ = std::numeric_limits<std::size_t>::max();
 
     Autostart autostart_;

@@ -16,6 +16,9 @@ std::optional<LRESULT> Win32Desktop::on_message(
         return std::nullopt;
     }
     if (window != daemon_.raw()) {
+        if (message == WM_DPICHANGED) {
+            screens_.hint(clock_now());  // Perhaps it has only crossed to another screen.
+        }
         return pointer_.on_pane_message(window, daemon_.raw(), message, wparam);
     }
     if (message == taskbar_created_) {
@@ -73,7 +76,7 @@ std::optional<LRESULT> Win32Desktop::on_daemon_message(UINT message, WPARAM wpar
             return TRUE;
         case WM_ENDSESSION:
             if (wparam != FALSE) {
-                ask(request::Quit{});
+                end_session();
             }
             return 0;
         case WM_CLOSE:
@@ -82,6 +85,14 @@ std::optional<LRESULT> Win32Desktop::on_daemon_message(UINT message, WPARAM wpar
         default:
             return std::nullopt;
     }
+}
+
+/// The message may come while the daemon is at work: then it is left at asking.
+void Win32Desktop::end_session() {
+    if (waiting_ && !in_modal_tick_ && end_session_) {
+        end_session_();
+    }
+    ask(request::Quit{});
 }
 
 void Win32Desktop::ask(Request request) {

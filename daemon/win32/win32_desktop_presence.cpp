@@ -101,6 +101,10 @@ void Win32Desktop::take_test_fact(TestFact fact, LPARAM value) {
             most_screens_ = static_cast<std::size_t>(value);
             on_screens_hint();
             break;
+        case TestFact::wider:
+            wider_ = static_cast<int>(value);
+            on_screens_hint();
+            break;
     }
 }
 
@@ -115,7 +119,8 @@ void Win32Desktop::tell_facts(Ticks time) {
     if (facts_ == told_facts_) {
         return;
     }
-    if (told_facts_.suspended && !facts_.suspended) {
+    const bool slept = told_facts_.suspended && !facts_.suspended;
+    if (slept || (told_facts_.locked && !facts_.locked)) {
         screens_.woke_up(time);
         overlay_.forget_pixels();
         bubbles_.forget_pixels();
@@ -127,6 +132,10 @@ void Win32Desktop::tell_facts(Ticks time) {
 std::vector<Monitor> Win32Desktop::read_screens() const {
     std::vector<Monitor> screens = options_.monitors();
     screens.resize(std::min(screens.size(), most_screens_));
+    if (!screens.empty()) {
+        screens.front().bounds.width += wider_;
+        screens.front().work.width += wider_;
+    }
     return screens;
 }
 

@@ -56,6 +56,12 @@ TEST_CASE("autostart: off until asked for, a quoted command when on, gone when o
     CHECK(autostart.set(false));
 }
 
+TEST_CASE("a restart goes on with the same profile, however its path is written") {
+    const std::wstring expected = L"--autostart --profile \"C:\\my pets\"";
+    CHECK(restart_arguments(L"C:\\my pets") == expected);
+    CHECK(restart_arguments(L"C:\\my pets\\") == expected);
+}
+
 TEST_CASE("autostart: what the user switches off in Windows' settings counts as off") {
     const Registry registry;
     const Autostart autostart(L"C:\\hyrax.exe", test_key);
