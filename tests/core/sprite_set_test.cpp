@@ -144,6 +144,17 @@ TEST_CASE("sprite set: a good folder is read") {
     CHECK(&set->animation("fall") == &idle);
 }
 
+TEST_CASE("sprite set: no colour is above alpha, whatever the decoder says") {
+    const Result<SpriteSet> set = Folder(good).load([](std::span<const std::byte>) {
+        Image image({8, 4});
+        std::ranges::fill(image.pixels, 0x80FF8010U);
+        return image;
+    });
+    REQUIRE(set);
+    CHECK(is_premultiplied(set->sheet));
+    CHECK(set->sheet.at(3, 2) == 0x80808010U);
+}
+
 TEST_CASE("sprite set: pixels that nobody sees are cleared") {
     const Result<SpriteSet> set = Folder(good).load([](std::span<const std::byte>) {
         Image image({8, 4});

@@ -4,8 +4,16 @@
 //   policy_probe panes                     Prints a line for each pane.
 //   policy_probe watch seconds             Looks at panes all the time; prints how often one was
 //                                          visible, and visible without NonRudeHWND.
-//   policy_probe send class message wparam lparam   Sends it to each window of the class.
+//   policy_probe send class message wparam lparam   Sends it, a number or the name of a registered
+//                                          one, to each window of the class.
 //   policy_probe post class message count  Posts it that many times.
+//   policy_probe flood message wparam lparam   Posts a thousand messages of no meaning to the
+//   daemon,
+//                                          then this one.
+//   policy_probe lower                     Takes its place on top from each pane, and tells of a
+//   new
+//                                          front window.
+//   policy_probe end_session               Ends the session, and the daemon's process with it.
 #include "tests/end_to_end/probe_window.h"
 
 #include <cstdio>
@@ -78,6 +86,11 @@ int show_panes() {
             covers(pane)
         );
     }
+    DWORD in_front = 0;
+    DWORD of_daemon = 0;
+    ::GetWindowThreadProcessId(::GetForegroundWindow(), &in_front);
+    ::GetWindowThreadProcessId(::FindWindowW(L"hyrax.daemon", nullptr), &of_daemon);
+    std::printf("hyrax in front %d\n", in_front == of_daemon);
     std::puts("end");
     return 0;
 }
@@ -101,6 +114,11 @@ int watch(double seconds) {
     return 0;
 }
 
+/// Wine itself tells nobody of a new front window.
+void tell_of_front(HWND window) {
+    ::NotifyWinEvent(EVENT_SYSTEM_FOREGROUND, window, OBJID_WINDOW, CHILDID_SELF);
+}
+
 int stay_in_front(int x, int y, int width, int height) {
     const HWND window = hyrax::probe::show_window({
         .name = L"hyrax policy probe",
@@ -114,6 +132,7 @@ int stay_in_front(int x, int y, int width, int height) {
         return 1;
     }
     ::SetForegroundWindow(window);
+    tell_of_front(window);
     hyrax::probe::tell(::GetForegroundWindow() == window ? "ready" : "not in front");
     return hyrax::probe::run();
 }
@@ -141,6 +160,46 @@ int post(const std::string& class_name, UINT message, int count) {
     return 0;
 }
 
+HWND daemon() {
+    const std::vector<HWND> found = windows_of("hyrax.daemon");
+    return found.empty() ? nullptr : found.front();
+}
+
+int flood(UINT message, WPARAM wparam, LPARAM lparam) {
+    int posted = 0;
+    for (int i = 0; i < 1000; ++i) {
+        posted += ::PostMessageW(daemon(), WM_APP + 99, 0, 0) != 0 ? 1 : 0;
+    }
+    posted += ::PostMessageW(daemon(), message, wparam, lparam) != 0 ? 1 : 0;
+    std::printf("posted %d\n", posted);
+    return 0;
+}
+
+int lower() {
+    const HWND window =
+        hyrax::probe::show_window({.name = L"hyrax policy probe", .width = 50, .height = 50});
+    constexpr UINT only_order = SWP_NOMOVE | SWP_NOSIZE | SWP_NOACTIVATE;
+    for (const HWND pane : windows_of("hyrax.pane")) {
+        ::SetWindowPos(pane, HWND_NOTOPMOST, 0, 0, 0, 0, only_order);
+    }
+    tell_of_front(window);
+    hyrax::probe::tell("ready");
+    return hyrax::probe::run();
+}
+
+/// Windows may end a process as soon as it has answered.
+int end_session() {
+    const HWND window = daemon();
+    DWORD id = 0;
+    ::GetWindowThreadProcessId(window, &id);
+    const HANDLE process = ::OpenProcess(PROCESS_TERMINATE, FALSE, id);
+    const LRESULT may_end = ::SendMessageW(window, WM_QUERYENDSESSION, 0, 0);
+    ::SendMessageW(window, WM_ENDSESSION, TRUE, 0);
+    ::TerminateProcess(process, 7);
+    std::printf("answer %lld\n", static_cast<long long>(may_end));
+    return 0;
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -157,15 +216,29 @@ int main(int count, char** words) {
         return watch(std::atof(given[1].c_str()));
     }
     if (what == "send" && given.size() == 5) {
+        const UINT named = ::RegisterWindowMessageA(given[2].c_str());
         return send(
             given[1],
-            static_cast<UINT>(number(2)),
+            number(2) != 0 ? static_cast<UINT>(number(2)) : named,
             static_cast<WPARAM>(number(3)),
             static_cast<LPARAM>(number(4))
         );
     }
     if (what == "post" && given.size() == 4) {
         return post(given[1], static_cast<UINT>(number(2)), number(3));
+    }
+    if (what == "flood" && given.size() == 4) {
+        return flood(
+            static_cast<UINT>(number(1)),
+            static_cast<WPARAM>(number(2)),
+            static_cast<LPARAM>(number(3))
+        );
+    }
+    if (what == "lower") {
+        return lower();
+    }
+    if (what == "end_session") {
+        return end_session();
     }
     std::fputs("usage: see the head of policy_probe.cpp\n", stderr);
     return 2;

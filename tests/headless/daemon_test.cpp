@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
 
 using namespace hyrax;
 
@@ -16,6 +20,11 @@ constexpr std::string_view one_pet_in_the_middle = R"({
 })";
 
 constexpr std::string_view no_pets = R"({"pets": {"start": []}})";
+
+bool knows(const Daemon& daemon, std::string_view kind) {
+    return std::ranges::find(daemon.engine().kinds(), kind, &Kind::name) !=
+           daemon.engine().kinds().end();
+}
 
 const Pet& only_pet(const Daemon& daemon) {
     const Pet* found = nullptr;
@@ -236,6 +245,52 @@ TEST_CASE("monitors that go away for a moment change nothing; new ones are used"
     });
     recorded.run();
     CHECK(only_pet(*recorded.daemon).position().x == 0.0);
+}
+
+TEST_CASE("a frame that was lost is presented once more, though nothing has changed") {
+    RecordedDaemon recorded(60.0);
+    recorded.config(one_pet_in_the_middle);
+    std::uint64_t frames = 0;
+    recorded.desktop.add({from_seconds(50.0), input::FrameLost{}, [&] {
+                              frames = recorded.desktop.counters().overlay.frames;
+                          }});
+    recorded.run();
+    CHECK(frames > 0);
+    CHECK(recorded.desktop.counters().overlay.frames == frames + 1);
+}
+
+TEST_CASE("sprites are read again when their files change; what is broken stays as it was") {
+    namespace fs = std::filesystem;
+    const fs::path shipped = fs::path(HYRAX_SOURCE_DIR) / "config" / "sprites" / "hyrax";
+    RecordedDaemon recorded(8.0);
+    recorded.config(R"({"pets": {"start": [{"x": 300, "y": 100}]}})");
+    const auto own = [&](const char* name) { return recorded.folder.path() / "sprites" / name; };
+    // A new kind, and a hyrax of the user's own at twice the size.
+    recorded.desktop.add({from_seconds(2.0), input::FilesChanged{}, [&] {
+                              fs::create_directories(recorded.folder.path() / "sprites");
+                              fs::copy(shipped, own("marmot"));
+                              fs::copy(shipped, own("hyrax"));
+                              std::string text = recorded.folder.read("sprites/hyrax/sprite.json");
+                              text.insert(text.find('{') + 1, "\"scale\": 2,");
+                              recorded.folder.write("sprites/hyrax/sprite.json", text);
+                          }});
+    recorded.look(3.0, [](const Daemon& daemon) {
+        CHECK(knows(daemon, "marmot"));
+        CHECK(only_pet(daemon).drawn_scale == 2.0);
+    });
+    recorded.change_file(4.0, "sprites/hyrax/sprite.json", "{ broken");
+    recorded.look(5.0, [](const Daemon& daemon) {
+        CHECK(only_pet(daemon).drawn_scale == 2.0);
+        CHECK(daemon.status().problem.contains("sprite.json:1:"));
+    });
+    recorded.desktop.add({from_seconds(6.0), input::FilesChanged{}, [&] {
+                              fs::remove_all(own("hyrax"));
+                              fs::remove_all(own("marmot"));
+                          }});
+    recorded.run();
+    CHECK_FALSE(knows(*recorded.daemon, "marmot"));
+    CHECK(only_pet(*recorded.daemon).drawn_scale == 1.0);
+    CHECK(recorded.daemon->status().problem.empty());
 }
 
 TEST_CASE("the same input gives the same trace, byte for byte") {

@@ -37,6 +37,25 @@ TEST_CASE("what a script keeps is there at the next start, what unload keeps inc
     CHECK(kept.contains("\"starts\": 42"));
 }
 
+TEST_CASE("what scripts keep is written at once when the session ends, and once") {
+    RecordedDaemon recorded(4.0);
+    recorded.config(no_pets);
+    recorded.script("keep.lua", R"(
+        hyrax.on("unload", function()
+            hyrax.store.set("ends", hyrax.store.get("ends", 0) + 1)
+        end)
+    )");
+    recorded.desktop
+        .add({from_seconds(2.0), input::Released{.at = {}, .button = Button::middle}, [&] {
+                  recorded.daemon->end();
+                  const std::string kept = recorded.folder.read("store/keep.lua.json");
+                  CHECK(kept.contains("\"ends\": 1"));
+              }});
+    recorded.run();
+    CHECK(recorded.folder.read("store/keep.lua.json").contains("\"ends\": 1"));
+    CHECK(recorded.desktop.now() < from_seconds(2.5));
+}
+
 TEST_CASE("a script that keeps nothing leaves no file") {
     RecordedDaemon recorded(1.0);
     recorded.config(no_pets);

@@ -73,11 +73,22 @@ TEST_CASE("a start without monitors asks until there are some") {
     CHECK(watch.current() == screens(1));
 }
 
+TEST_CASE("after a change there are a few more looks, since screens come one by one") {
+    MonitorWatch watch(screens(1), 0);
+    watch.hint(0);
+    CHECK(run_until(watch, screens(2), 1'000 * ms) == 1);
+    // Another one comes two seconds later, and nobody tells.
+    CHECK(run_until(watch, screens(3), 8'000 * ms) == 1);
+    CHECK(watch.current() == screens(3));
+    CHECK(run_until(watch, screens(3), 60'000 * ms) == 0);
+    CHECK(watch.due() == never);
+}
+
 TEST_CASE("after sleep there are a few more looks, for screens that come back late") {
     MonitorWatch watch(screens(2), 0);
     watch.woke_up(0);
     CHECK(run_until(watch, screens(1), 700 * ms) == 1);
-    CHECK(watch.due() == 1'000 * ms);
+    CHECK(watch.due() == (450 + 1'000) * ms);  // after that change
     CHECK(run_until(watch, screens(1), 4'000 * ms) == 0);
     CHECK(run_until(watch, screens(2), 6'000 * ms) == 1);
     CHECK(run_until(watch, screens(2), 60'000 * ms) == 0);
