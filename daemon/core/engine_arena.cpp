@@ -43,6 +43,7 @@ void Engine::move_into_arena(PetId id, Pet& pet, bool disturbed) {
         return !intersection(room, box).empty();
     });
     Vec2 velocity = on_a_screen ? pet.velocity() : Vec2{};
+    pet.arrives = pet.arrives || !on_a_screen;
     if (moved.x * velocity.x < 0.0) {
         velocity.x = 0.0;
     }

@@ -63,6 +63,9 @@ void Engine::advance(PetId id, Pet& pet, Ticks now) {
     const Ticks own = now - pet.lost;
     if (!std::exchange(pet.started, true)) {
         pet.body.start(own);
+        if (std::exchange(pet.arrives, false)) {
+            pet.arrived = now;
+        }
     }
     const bool walking = pet.walk && walks(id, pet, own);
     if (!walking) {

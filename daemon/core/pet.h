@@ -68,9 +68,11 @@ struct Pet {
     bool awake = false;
     bool started = false;  ///< The body moves; its first frame shows it where it was put.
     bool faces_left = false;
-    bool landed = false;  ///< The flight has met a floor.
-    std::string owner;    ///< Name of a script or plugin, or "user".
-    std::string tag;      ///< Free text of the owner.
+    bool landed = false;   ///< The flight has met a floor.
+    bool arrives = false;  ///< Its screen has gone: it comes to another one with the next frame.
+    std::optional<Ticks> arrived{};  ///< When it came from a screen that has gone.
+    std::string owner;               ///< Name of a script or plugin, or "user".
+    std::string tag;                 ///< Free text of the owner.
     std::optional<Walk> walk{};
     std::optional<Playing> playing{};
     std::optional<Speech> speech{};

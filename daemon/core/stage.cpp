@@ -13,6 +13,8 @@ namespace {
 
 // A resting pet breathes for a while and then lies still: a desktop at rest wakes nothing.
 constexpr int breaths = 6;
+constexpr double fade_in = 250.0 * ticks_per_ms;
+constexpr Ticks fade_step = 16 * ticks_per_ms;
 
 Shown later(Shown shown, Ticks offset) {
     return {shown.cell, shown.until == never ? never : shown.until + offset};
@@ -69,6 +71,14 @@ Point cell_corner(const SpriteSet& set, const Pet& pet, Size box, Size cell) {
 // Fainter, a pet could be lost; and what cannot be seen must not catch clicks.
 std::uint8_t opacity_of(double share) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(share, least_opacity, 1.0) * 255.0));
+}
+
+/// How much of a pet that comes from a screen that has gone is seen by now.
+double appeared(const Pet& pet, Ticks now) {
+    if (pet.arrives) {
+        return 0.0;
+    }
+    return pet.arrived ? static_cast<double>(now - *pet.arrived) / fade_in : 1.0;
 }
 
 struct ShownSince {
@@ -144,7 +154,11 @@ Staged staged(
         const Point corner = cell_corner(set, pet, engine.box_of(pet), size);
         if (!picture.image->pixels.empty()) {
             const Point at{corner.x + picture.at.x, corner.y + picture.at.y};
-            const std::uint8_t opacity = opacity_of(scene.opacity * pet.opacity);
+            const double seen = std::min(appeared(pet, scene.now), 1.0);
+            const std::uint8_t opacity = opacity_of(scene.opacity * pet.opacity * seen);
+            if (seen < 1.0) {
+                result.next_change = std::min(result.next_change, scene.now + fade_step);
+            }
             result.frame.sprites.emplace_back(*picture.image, at, id, opacity);
         }
         if (shown.until != never && !pet.frozen()) {

@@ -98,6 +98,12 @@ void Win32Desktop::present(const Frame& frame) {
 DesktopCounters Win32Desktop::counters() const {
     DesktopCounters all = counters_;
     all.overlay = overlay_.counters();
+    // Frames are counted once.
+    const OverlayCounters bubbles = bubbles_.counters();
+    all.overlay.presents += bubbles.presents;
+    all.overlay.bytes += bubbles.bytes;
+    all.overlay.resizes += bubbles.resizes;
+    all.overlay.failures += bubbles.failures;
     return all;
 }
 

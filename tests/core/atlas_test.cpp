@@ -294,6 +294,38 @@ TEST_CASE("opacities of settings and pet multiply, and no pet is lost") {
     );
 }
 
+TEST_CASE("a pet from a screen that has gone appears by and by, and then costs no frame") {
+    const std::vector<SpriteSet> sets{striped_set()};
+    Engine engine(kinds_of(sets), {}, 1);
+    const Monitor main{{0, 0, 400, 300}, {0, 0, 400, 300}, true, {}};
+    const Monitor left{{-400, 0, 400, 300}, {-400, 0, 400, 300}, false, {}};
+    engine.set_arena(Arena({main, left}, FloorEdge::screen));
+    REQUIRE(engine.spawn({.at = Vec2{100.0, 292.0}}));
+    REQUIRE(engine.spawn({.at = Vec2{-100.0, 292.0}}));
+    engine.advance(0);
+    Atlas atlas;
+    Ticks now = 50 * ticks_per_second;
+    const auto at = [&](Ticks later) {
+        engine.advance(now + later);
+        return staged(engine, sets, atlas, {.now = now + later});
+    };
+    const auto second = [](const Staged& shown) { return shown.frame.sprites.at(1).opacity; };
+    CHECK(second(at(0)) == 255);
+    engine.set_arena(Arena({main}, FloorEdge::screen));
+    const Staged begin = at(0);
+    CHECK(begin.frame.sprites.at(0).opacity == 255);
+    CHECK(second(begin) == 26);
+    CHECK(begin.next_change <= now + 20 * ticks_per_ms);
+    CHECK(second(at(125 * ticks_per_ms)) == 128);
+    const Staged end = at(250 * ticks_per_ms);
+    CHECK(second(end) == 255);
+    CHECK(end.next_change > now + 300 * ticks_per_ms);
+    // Screens that change but stay make nobody vanish.
+    now += ticks_per_second;
+    engine.set_arena(Arena({{{0, 0, 500, 300}, {0, 0, 500, 300}, true, {}}}, FloorEdge::screen));
+    CHECK(second(at(0)) == 255);
+}
+
 TEST_CASE("huge cells are not made larger") {
     SpriteSet set = striped_set();
     set.cell = {4096, 8};
