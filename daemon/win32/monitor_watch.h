@@ -31,7 +31,7 @@ public:
         again_at_ = never;
         candidate_.clear();
     }
-    /// The machine has slept, or was locked.
+    /// The machine has slept.
     void woke_up(Ticks now) {
         hint(now);
         look_later(now);

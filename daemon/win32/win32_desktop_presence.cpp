@@ -119,11 +119,12 @@ void Win32Desktop::tell_facts(Ticks time) {
     if (facts_ == told_facts_) {
         return;
     }
-    const bool slept = told_facts_.suspended && !facts_.suspended;
-    if (slept || (told_facts_.locked && !facts_.locked)) {
+    if (told_facts_.suspended && !facts_.suspended) {
         screens_.woke_up(time);
         overlay_.forget_pixels();
         bubbles_.forget_pixels();
+    } else if (told_facts_.locked && !facts_.locked) {
+        screens_.hint(time);
     }
     told_facts_ = facts_;
     inbox_.emplace_back(input::FactsChanged{facts_, time});
