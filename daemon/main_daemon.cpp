@@ -145,6 +145,7 @@ int run_daemon(const Places& places, const DaemonCommandLine& line, const std::w
         .scripts_folder = places.profile.user / "scripts",
         .log_file = places.log,
         .executable = places.program,
+        .restart_arguments = win32::restart_arguments(line.profile),
         .instance_name = instance,
         .control = control_pipe(instance),
         .scripts_event = scripts->event(),

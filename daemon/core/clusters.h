@@ -4,7 +4,6 @@
 
 #include "physics/geometry.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>

@@ -59,6 +59,9 @@ void Daemon::end() {
 }
 
 void Daemon::run_due() {
+    if (ended_) {
+        return;
+    }
     if (changed_) {
         next_frame_ = std::min(next_frame_, pacer_.next());
     }
@@ -111,11 +114,13 @@ void Daemon::draw(Ticks now) {
              .calm = so.calm}
         );
         next.frame.kept_free = so.kept_free;
+        next.frame.edition = edition_;
     }
     if (speeches_.concern(next.speakers)) {
         speeches_.show(next.frame, engine_, next.speakers);
     }
-    if (next.frame != frame_ || std::exchange(frame_lost_, false)) {
+    const bool lost = std::exchange(frame_lost_, false);
+    if (next.frame != frame_ || lost) {
         frame_ = std::move(next.frame);
         desktop_.present(frame_);
     }

@@ -243,6 +243,7 @@ private:
     Hand hand_;
     Frame frame_;
     bool frame_lost_ = false;
+    std::uint64_t edition_ = 0;  ///< Of the sprite sets.
     Ticks next_frame_ = 0;
     Ticks begin_ = 0;
     Ticks drawing_ = 0;  ///< Time spent in draw().

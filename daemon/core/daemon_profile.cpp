@@ -77,9 +77,9 @@ void Daemon::read_kinds() {
         spdlog::error("{}", problem);
     }
     kind_problems_ = std::move(loaded.problems);
-    // Frames point into the old sets: nobody may still show one.
+    // Frames point into the old sets.
     frame_ = {};
-    desktop_.present(frame_);
+    ++edition_;
     atlas_.clear();
     sets_ = std::move(loaded.sets);
     engine_.set_kinds(kinds_of(sets_));

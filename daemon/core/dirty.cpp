@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <unordered_map>
 
 namespace hyrax {
@@ -60,6 +61,11 @@ std::vector<Rect> places_of(const Frame& frame) {
 }
 
 std::vector<Rect> changed_places(const Frame& before, const Frame& after) {
+    if (before.edition != after.edition) {
+        std::vector<Rect> all = places_of(before);
+        std::ranges::copy(places_of(after), std::back_inserter(all));
+        return all;
+    }
     if (!same_cast(before, after)) {
         return changed_cast(before, after);
     }

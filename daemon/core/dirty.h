@@ -26,7 +26,8 @@ struct PresentCost {
     int whole_percent = 100;
 };
 
-/// Calls that each of so many panes (> 0) may take: some 16 in all.
+/// Calls that each of so many panes (> 0) may take: 16 in all, but at least two and at most eight
+/// each.
 constexpr std::size_t calls_for_each_of(std::size_t panes) {
     return std::clamp<std::size_t>(16 / panes, 2, 8);
 }

@@ -31,7 +31,7 @@ namespace hyrax {
 );
 
 /// A text that is another one when a file below the folder has come, gone or been written; empty
-/// if there is none.
+/// if there is none. Links to folders are not followed.
 std::string stamp_of_folder(const std::filesystem::path& folder);
 
 /// The path for messages and JSON, in UTF-8 on every system.

@@ -35,6 +35,8 @@ struct Frame {
     std::vector<Sprite> bubbles{};
     /// Bounds of the monitors that show nothing of it: no window may be there.
     std::vector<Rect> kept_free{};
+    /// Images of another edition are others, even at the same address.
+    std::uint64_t edition = 0;
     bool operator==(const Frame&) const = default;
 };
 

@@ -198,8 +198,7 @@ bool MonitorPlan::join_a_pair() {
     return true;
 }
 
-/// The larger one goes on, in its area if that is enough, with the lower slot: the window of a
-/// crowd, which is large, then seldom goes.
+/// The larger one goes on, in its area if that is enough.
 void MonitorPlan::join(std::size_t first, std::size_t second) {
     Pane larger = panes_[first];
     Pane other = panes_[second];
@@ -207,7 +206,7 @@ void MonitorPlan::join(std::size_t first, std::size_t second) {
     if (other.area.area() > larger.area.area()) {
         std::swap(larger, other);
     }
-    const std::size_t slot = std::min(larger.slot, other.slot);
+    const std::size_t slot = larger.slot != no_slot ? larger.slot : other.slot;
     const Rect shows = united(larger.shows, other.shows);
     if (larger.area.contains(shows)) {
         larger.slot = slot;

@@ -75,10 +75,7 @@ std::uint8_t opacity_of(double share) {
 
 /// How much of a pet that comes from a screen that has gone is seen by now.
 double appeared(const Pet& pet, Ticks now) {
-    if (pet.arrives) {
-        return 0.0;
-    }
-    return pet.arrived ? static_cast<double>(now - *pet.arrived) / fade_in : 1.0;
+    return pet.arrived && !pet.frozen() ? static_cast<double>(now - *pet.arrived) / fade_in : 1.0;
 }
 
 struct ShownSince {

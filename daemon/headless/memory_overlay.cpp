@@ -9,7 +9,7 @@
 namespace hyrax {
 
 Frame flattened(const Frame& frame) {
-    Frame flat{.sprites = frame.sprites, .kept_free = frame.kept_free};
+    Frame flat{.sprites = frame.sprites, .kept_free = frame.kept_free, .edition = frame.edition};
     flat.sprites.insert(flat.sprites.end(), frame.bubbles.begin(), frame.bubbles.end());
     return flat;
 }

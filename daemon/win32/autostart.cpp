@@ -74,14 +74,24 @@ Result<void> Autostart::set(bool on) const {
 void Autostart::offer_restart(const std::wstring& arguments) const {
     const DWORD flags = is_on() ? DWORD{RESTART_NO_REBOOT} : 0;
     if (const HRESULT done = ::RegisterApplicationRestart(arguments.c_str(), flags); FAILED(done)) {
-        spdlog::warn("Windows will not start hyrax again after an update (error {:#x})", done);
+        spdlog::warn(
+            "Windows will not start hyrax again after an update (error {:#x})",
+            static_cast<unsigned>(done)
+        );
     }
 }
 
-std::wstring restart_arguments(const std::filesystem::path& profile) {
-    // A backslash before the closing quote would be taken for a part of the name.
-    const std::filesystem::path folder = profile.has_filename() ? profile : profile.parent_path();
-    return L"--autostart --profile \"" + folder.wstring() + L'"';
+std::wstring restart_arguments(const std::optional<std::filesystem::path>& profile) {
+    std::wstring arguments = L"--autostart";
+    if (profile) {
+        std::wstring folder = profile->wstring();
+        // A single one before the closing quote would make that a part of the name.
+        if (folder.ends_with(L'\\')) {
+            folder += L'\\';
+        }
+        arguments += L" --profile \"" + folder + L'"';
+    }
+    return arguments;
 }
 
 }  // namespace hyrax::win32

@@ -6,6 +6,7 @@
 #include "daemon/core/result.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace hyrax::win32 {
@@ -36,7 +37,7 @@ private:
     std::wstring approved_;
 };
 
-/// Of a start that goes on with this profile and asks for nothing.
-std::wstring restart_arguments(const std::filesystem::path& profile);
+/// Of a start that asks for nothing, with this profile if it is not the usual one.
+std::wstring restart_arguments(const std::optional<std::filesystem::path>& profile);
 
 }  // namespace hyrax::win32

@@ -24,10 +24,30 @@ PresentCost cost_on(const Rect& pane, std::size_t panes, bool wine) {
     return {.call_px = pane.area() * 2 / 5, .whole_percent = 75};
 }
 
-/// Shows places that it did not show before.
-bool gains(const Pane& pane, std::span<const Pane> before) {
+/// The order in which panes are shown: a pet that changes its pane stands in the new one before it
+/// leaves the old one.
+int rank(const Pane& pane, std::span<const Pane> before) {
     const auto known = std::ranges::find(before, pane.slot, &Pane::slot);
-    return known == before.end() || !known->area.contains(pane.area);
+    if (known == before.end()) {
+        return 0;
+    }
+    return known->area.contains(pane.area) ? 2 : 1;
+}
+
+/// Where panes may lie. Wine 8 takes a window that fills a screen for that of a full-screen program
+/// and hands it to the window manager, or waits for one: there the top row of pixels stays free.
+std::vector<Monitor> room_for_panes(
+    std::span<const Monitor> monitors, std::span<const Rect> kept_free, bool wine
+) {
+    std::vector<Monitor> room;
+    for (const Monitor& monitor : monitors) {
+        if (std::ranges::find(kept_free, monitor.bounds) == kept_free.end()) {
+            room.push_back(monitor);
+            room.back().bounds.y += wine ? 1 : 0;
+            room.back().bounds.height -= wine ? 1 : 0;
+        }
+    }
+    return room;
 }
 
 }  // namespace
@@ -43,22 +63,19 @@ void Overlay::present(const Frame& frame, std::span<const Monitor> monitors, Tic
     stale_ = false;
     ++counters_.frames;
     const std::vector<Pane> panes_before = std::move(plan_);
-    plan_ = plan_panes({monitors, places_of(frame), frame.kept_free}, panes_before, now);
+    const std::vector<Monitor> room = room_for_panes(monitors, frame.kept_free, wine_);
+    plan_ = plan_panes({room, places_of(frame)}, panes_before, now);
+    std::ranges::stable_sort(plan_, {}, [&](const Pane& pane) { return rank(pane, panes_before); });
     const Changes changes{changed_places(frame_, frame), places_of(frame_)};
-    // A pet that changes its pane stands in the new one before it leaves the old one.
-    for (const bool first : {true, false}) {
-        for (const Pane& pane : plan_) {
-            if (gains(pane, panes_before) == first) {
-                show(pane, frame, changes, now);
-            }
-        }
+    for (const Pane& pane : plan_) {
+        show(pane, frame, changes, now);
     }
     frame_ = frame;
     retire_windows();
 }
 
 void Overlay::show(const Pane& pane, const Frame& frame, const Changes& changes, Ticks now) {
-    PaneWindow* const window = window_of(pane);
+    PaneWindow* const window = window_of(pane, now);
     if (window == nullptr) {
         return;
     }
@@ -73,7 +90,14 @@ void Overlay::show(const Pane& pane, const Frame& frame, const Changes& changes,
 }
 
 Ticks Overlay::due() const {
-    Ticks due = stale_ ? 0 : next_plan(plan_);
+    if (stale_) {
+        return 0;
+    }
+    Ticks due = next_plan(plan_);
+    if (undrawn_) {
+        return due;  // Only another frame helps, which was asked for.
+    }
+    due = std::min(due, window_retry_at_);
     for (const auto& window : windows_) {
         due = std::min(due, window->retry_at());
     }
@@ -82,9 +106,10 @@ Ticks Overlay::due() const {
 
 bool Overlay::present_again(std::span<const Monitor> monitors, Ticks now) {
     stale_ = false;
-    plan_ = plan_panes({monitors, places_of(frame_), frame_.kept_free, false}, plan_, now);
+    const std::vector<Monitor> room = room_for_panes(monitors, frame_.kept_free, wine_);
+    plan_ = plan_panes({room, places_of(frame_), {}, false}, plan_, now);
     for (const Pane& pane : plan_) {
-        if (PaneWindow* const window = window_of(pane)) {
+        if (PaneWindow* const window = window_of(pane, now)) {
             undrawn_ = !window->show_again(pane.area, now, counters_) || undrawn_;
         }
     }
@@ -113,17 +138,24 @@ PaneWindow* Overlay::find(HWND window) const {
     return found != windows_.end() ? found->get() : nullptr;
 }
 
-PaneWindow* Overlay::window_of(const Pane& pane) {
+/// None while the system gives none.
+PaneWindow* Overlay::window_of(const Pane& pane, Ticks now) {
     const auto found =
         std::ranges::find(windows_, pane.slot, [](const auto& window) { return window->slot(); });
     if (found != windows_.end()) {
         return found->get();
     }
-    Result<std::unique_ptr<PaneWindow>> created = PaneWindow::create(pane.slot, clicks_, handler_);
-    if (!created) {
-        spdlog::error("{}", created.error().message);
+    if (window_retry_at_ != never && now < window_retry_at_) {
         return nullptr;
     }
+    Result<std::unique_ptr<PaneWindow>> created = PaneWindow::create(pane.slot, clicks_, handler_);
+    if (!created) {
+        if (std::exchange(window_retry_at_, now + retry_after) == never) {
+            spdlog::error("{}; tried again every 5 s", created.error().message);
+        }
+        return nullptr;
+    }
+    window_retry_at_ = never;
     (*created)->take_place(layer_);
     windows_.push_back(std::move(*created));
     return windows_.back().get();

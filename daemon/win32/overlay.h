@@ -62,7 +62,7 @@ private:
     };
 
     PaneWindow* find(HWND window) const;
-    PaneWindow* window_of(const Pane& pane);
+    PaneWindow* window_of(const Pane& pane, Ticks now);
     void show(const Pane& pane, const Frame& frame, const Changes& changes, Ticks now);
     void apply_capture(PaneWindow& window);
     void retire_windows();
@@ -75,8 +75,9 @@ private:
     Renderer renderer_ = Renderer::blit;
     Layer layer_ = Layer::above_taskbar;
     HWND held_ = nullptr;
-    bool stale_ = false;    ///< A window must be presented, hidden or removed at once.
-    bool undrawn_ = false;  ///< The next present() must draw even an equal frame.
+    Ticks window_retry_at_ = never;  ///< After the system gave no window.
+    bool stale_ = false;             ///< A window must be presented, hidden or removed at once.
+    bool undrawn_ = false;           ///< The next present() must draw even an equal frame.
     bool hidden_from_capture_ = false;
     bool capture_refused_ = false;
     bool wine_;

@@ -79,10 +79,15 @@ PaneWindow::~PaneWindow() {
 }
 
 void PaneWindow::show(const PanePicture& picture, Ticks now, OverlayCounters& counters) {
+    const Rect& area = picture.pane.area;
     if (retry_at_ != never && now < retry_at_) {
+        outdated_ = true;
+        if (visible_ && area != area_) {
+            ::ShowWindow(window(), SW_HIDE);  // Its pets may stand in another pane by now.
+            visible_ = false;
+        }
         return;
     }
-    const Rect& area = picture.pane.area;
     const Rect& monitor = picture.pane.monitor;
     const Size size{area.width, area.height};
     blank_ = false;
@@ -90,12 +95,14 @@ void PaneWindow::show(const PanePicture& picture, Ticks now, OverlayCounters& co
         counters.resizes += size != Size{area_.width, area_.height} ? 1U : 0U;
         const Result<bool> room = surface_.make_room(size, {monitor.width, monitor.height});
         if (!room) {
+            area_ = {};  // The old pixels are gone, too.
             refused(now, room.error().message);
             return;
         }
         area_ = area;
         outline_rows_ = picture.outline_rows;
         draw(picture, {&area, 1}, {&area, 1});
+        outdated_ = false;
         present_all(now, counters);
     } else {
         std::vector<Rect> parts;
@@ -134,7 +141,7 @@ void PaneWindow::present_all(Ticks now, OverlayCounters& counters) {
 
 void PaneWindow::refused(Ticks now, const std::string& why) {
     complete_ = false;
-    if (std::exchange(retry_at_, now + 5 * ticks_per_second) == never) {
+    if (std::exchange(retry_at_, now + retry_after) == never) {
         spdlog::error("{}; tried again every 5 s", why);
     }
 }
@@ -151,7 +158,7 @@ void PaneWindow::draw(
 }
 
 bool PaneWindow::show_again(const Rect& area, Ticks now, OverlayCounters& counters) {
-    if (!visible_ || blank_ || !area_.contains(area)) {
+    if (!visible_ || blank_ || outdated_ || !area_.contains(area)) {
         return false;
     }
     if (complete_ && area == area_) {
@@ -215,14 +222,16 @@ void PaneWindow::hide() {
     if (visible_) {
         ::ShowWindow(window(), SW_HIDE);
         visible_ = false;
-        surface_.let_go();
     }
+    surface_.let_go();
+    area_ = {};
     complete_ = false;
     retry_at_ = never;
 }
 
 void PaneWindow::show_nothing(OverlayCounters& counters) {
-    if (visible_ && !blank_) {
+    retry_at_ = never;
+    if (visible_ && !blank_ && !area_.empty()) {
         erase(surface_.view({area_.width, area_.height}), {0, 0, area_.width, area_.height});
         blank_ = present(nullptr, counters);
         complete_ = false;

@@ -20,6 +20,9 @@
 
 namespace hyrax::win32 {
 
+/// How long nothing is tried that the system has refused.
+inline constexpr Ticks retry_after = 5 * ticks_per_second;
+
 /// What a pane is to show.
 struct PanePicture {
     const Pane& pane;  ///< Its area is the part of the frame.
@@ -92,6 +95,7 @@ private:
     Ticks retry_at_ = never;
     bool visible_ = false;
     bool complete_ = false;  ///< The system shows all of area_ as the surface has it.
+    bool outdated_ = false;  ///< The surface lacks frames that came while nothing was tried.
     bool blank_ = false;     ///< The system shows no pixel of area_.
 };
 

@@ -54,7 +54,7 @@ Result<void> Win32Desktop::start() {
     hotkeys_.emplace(daemon_.raw());
     front_.emplace(daemon_.raw());
     machine_.emplace(daemon_.raw(), clock_now(), facts_);
-    autostart_.offer_restart(restart_arguments(options_.profile));
+    autostart_.offer_restart(options_.restart_arguments);
     return {};
 }
 

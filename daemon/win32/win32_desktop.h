@@ -40,6 +40,7 @@ struct Win32DesktopOptions {
     std::filesystem::path scripts_folder;
     std::filesystem::path log_file;
     std::filesystem::path executable;     ///< What starts with the session if the user wants that.
+    std::wstring restart_arguments;       ///< For a start that Windows makes after an update.
     std::wstring instance_name;           ///< SingleInstance::name()
     std::unique_ptr<PipeServer> control;  ///< None: nobody can speak to the daemon by a pipe.
 

@@ -102,7 +102,7 @@ void Win32Desktop::carry_out(const desktop_command::SetAutostart& autostart) {
     if (const Result<void> done = autostart_.set(autostart.on); !done) {
         spdlog::error("{}", done.error().message);
     }
-    autostart_.offer_restart(restart_arguments(options_.profile));
+    autostart_.offer_restart(options_.restart_arguments);
 }
 
 void Win32Desktop::greet(const std::string& text) {

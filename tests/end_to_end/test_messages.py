@@ -61,14 +61,19 @@ class Messages(unittest.TestCase):
         return self.desk.screenshot().crop(int(pet["x"]) - 10, int(pet["y"]) - 10, BOX[0] + 20, BOX[1] + 10)
 
     def test_a_pet_stays_seen_when_its_screen_becomes_wider(self):
-        daemon = self.daemon({**resting((500, 600)), "overlay": {"reduced_motion": "on"}})
+        config = {**resting((500, 600)), "overlay": {"reduced_motion": "on"}}
+        script = 'hyrax.on("monitors", function() print("screens changed") end) print("ready")'
+        daemon = self.daemon(config, scripts={"screens.lua": script})
+        daemon.wait_for_log("screens.lua: ready")
         daemon.wait_for_rest()
         time.sleep(1.5)
         (pet,) = daemon.pets()
         before = self.around(pet)
-        for wider in (200, 0):
+        for changes, wider in enumerate((200, 0), 1):
             self.ask("send", "hyrax.daemon", TEST_FACT, WIDER, wider)
-            time.sleep(1.5)
+            told = lambda: daemon.log_text().count("screens changed") >= changes
+            desktop.wait_for(told, 10, "the change of screens")
+            time.sleep(0.5)
             self.assertEqual(len(self.panes()), 1)
             self.assertIsNone(self.around(pet).changed_box(before))
 

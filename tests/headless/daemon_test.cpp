@@ -247,10 +247,11 @@ TEST_CASE("monitors that go away for a moment change nothing; new ones are used"
     CHECK(only_pet(*recorded.daemon).position().x == 0.0);
 }
 
-TEST_CASE("a frame that was lost is presented once more, though nothing has changed") {
+TEST_CASE("a frame that was lost is presented once more, though nothing changes in a pause") {
     RecordedDaemon recorded(60.0);
     recorded.config(one_pet_in_the_middle);
     std::uint64_t frames = 0;
+    recorded.at(45.0, Request{request::SetPaused{true}});
     recorded.desktop.add({from_seconds(50.0), input::FrameLost{}, [&] {
                               frames = recorded.desktop.counters().overlay.frames;
                           }});

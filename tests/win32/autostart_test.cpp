@@ -57,9 +57,10 @@ TEST_CASE("autostart: off until asked for, a quoted command when on, gone when o
 }
 
 TEST_CASE("a restart goes on with the same profile, however its path is written") {
-    const std::wstring expected = L"--autostart --profile \"C:\\my pets\"";
-    CHECK(restart_arguments(L"C:\\my pets") == expected);
-    CHECK(restart_arguments(L"C:\\my pets\\") == expected);
+    using Path = std::filesystem::path;
+    CHECK(restart_arguments({}) == L"--autostart");
+    CHECK(restart_arguments(Path(L"C:\\my pets")) == L"--autostart --profile \"C:\\my pets\"");
+    CHECK(restart_arguments(Path(L"D:\\")) == L"--autostart --profile \"D:\\\\\"");
 }
 
 TEST_CASE("autostart: what the user switches off in Windows' settings counts as off") {

@@ -18,7 +18,15 @@ constexpr Ticks second = ticks_per_second;
 constexpr std::uint64_t lone_pane = 192 * 192 * sizeof(Pixel);
 
 struct Deaf final : MessageHandler {
-    std::optional<LRESULT> on_message(HWND, UINT, WPARAM, LPARAM) override { return std::nullopt; }
+    bool keeps_layers = false;  ///< Panes stay layered whatever is asked of them.
+
+    std::optional<LRESULT> on_message(HWND, UINT message, WPARAM, LPARAM lparam) override {
+        if (keeps_layers && message == WM_STYLECHANGING) {
+            reinterpret_cast<STYLESTRUCT*>(lparam)->styleNew |= WS_EX_LAYERED;
+            return 0;
+        }
+        return std::nullopt;
+    }
 };
 
 std::vector<Monitor> screen(int width) {
@@ -145,9 +153,36 @@ TEST_CASE("what the system refuses is tried again after five seconds, not with e
     CHECK(overlay.due() == 6 * second);
     overlay.present(pets_at({{304, 400}}), usual, 2 * second);
     CHECK(overlay.counters().failures == failures);
-    CHECK(overlay.present_again(usual, 6 * second));
+    CHECK_FALSE(overlay.present_again(usual, 6 * second));  // It does not have the latest frame.
+    overlay.present(pets_at({{304, 400}}), usual, 6 * second);
     CHECK(overlay.counters().failures > failures);
     CHECK(overlay.due() == 11 * second);
+}
+
+TEST_CASE("after a refusal that ends, what is shown is where the pet has come meanwhile") {
+    Deaf deaf;
+    Overlay overlay(deaf);
+    overlay.present(pets_at({{300, 400}}), usual, 0);
+    const HWND pane = panes().at(0);
+    // With attributes of its own a layered window takes no pixels, until its layer is renewed.
+    ::SetLayeredWindowAttributes(pane, 0, 200, LWA_ALPHA);
+    deaf.keeps_layers = true;
+    overlay.present(pets_at({{302, 400}}), usual, second);
+    CHECK(overlay.counters().failures > 0);
+    const Frame later = pets_at({{320, 400}});
+    overlay.present(later, usual, 2 * second);
+    deaf.keeps_layers = false;
+    REQUIRE(overlay.due() == 6 * second);
+    CHECK_FALSE(overlay.present_again(usual, 6 * second));
+    CHECK(overlay.due() == never);  // It is the frame's turn.
+    overlay.present(later, usual, 6 * second);
+    CHECK(seen_panes() == 1);
+    CHECK(overlay.has_pixel_at(panes().at(0), {415, 450}));
+    CHECK_FALSE(overlay.has_pixel_at(panes().at(0), {310, 450}));
+    CHECK(overlay.due() == never);
+    const std::uint64_t failures = overlay.counters().failures;
+    overlay.present(pets_at({{330, 400}}), usual, 7 * second);
+    CHECK(overlay.counters().failures == failures);
 }
 
 TEST_CASE("pets apart have windows of their own; what is no longer needed is hidden, at last gone"
