@@ -49,13 +49,14 @@ private:
 
     const Rect& monitor_;
     bool drawable_;
+    long long window_px_;
     Ticks now_;
     std::vector<Rect> boxes_;  ///< What is seen of the sprites.
     std::vector<Pane> panes_;
 };
 
 MonitorPlan::MonitorPlan(const PaneScene& scene, const Rect& monitor, Ticks now)
-    : monitor_(monitor), drawable_(scene.drawable), now_(now) {
+    : monitor_(monitor), drawable_(scene.drawable), window_px_(scene.window_px), now_(now) {
     boxes_.reserve(scene.sprites.size());
     for (const Rect& sprite : scene.sprites) {
         if (const Rect seen = intersection(sprite, monitor); !seen.empty()) {
@@ -91,7 +92,7 @@ bool MonitorPlan::belong_together(const Rect& a, const Rect& b) const {
     const Rect one = fitted_area(a, monitor_);
     const Rect two = fitted_area(b, monitor_);
     return meet(one, two) ||
-           fitted_area(united(a, b), monitor_).area() <= one.area() + two.area() + window_px;
+           fitted_area(united(a, b), monitor_).area() <= one.area() + two.area() + window_px_;
 }
 
 std::vector<Rect> MonitorPlan::groups_of(std::span<const Rect> boxes) const {
@@ -155,10 +156,10 @@ bool MonitorPlan::divide(std::size_t index) {
         return false;
     }
     std::vector<Pane> parts;
-    long long cost = -window_px;
+    long long cost = -window_px_;
     for (const Rect& group : groups) {
         parts.push_back(begun(group));
-        cost += parts.back().area.area() + window_px;
+        cost += parts.back().area.area() + window_px_;
     }
     if (cost * 4 > fitted_area(whole.shows, monitor_).area() * 3) {
         return false;

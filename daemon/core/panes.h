@@ -26,18 +26,20 @@ struct Pane {
     bool operator==(const Pane&) const = default;
 };
 
+/// What one more window costs, in pixels that windows cover: about as many as a lone pet's does.
+inline constexpr long long window_price = 32'768;
+
 /// What panes are planned for.
 struct PaneScene {
     std::span<const Monitor> monitors;
     std::span<const Rect> sprites;
     std::span<const Rect> kept_free{};  ///< Bounds of monitors that must have no pane.
     bool drawable = true;  ///< Sprites can be drawn; else windows only show what they have.
+    long long window_px = window_price;  ///< The price of a window on this system.
 };
 
 /// The most panes that a monitor has.
 inline constexpr std::size_t most_panes = 8;
-/// What one more window costs, in pixels that windows cover: about as many as a lone pet's does.
-inline constexpr long long window_px = 32'768;
 
 /// Panes for all that is seen of the sprites, in the order of the monitors. A pane keeps its size,
 /// for which the system has built a surface, and slides after its sprites when they leave it.

@@ -314,7 +314,7 @@ TEST_CASE("a pane does not shrink for what it will soon have to grow for again")
 
 TEST_CASE("at rest panes end at most a third dearer than a new plan") {
     const auto cost_of = [](const std::vector<Pane>& panes) {
-        return area_of(panes) + window_px * static_cast<long long>(panes.size());
+        return area_of(panes) + window_price * static_cast<long long>(panes.size());
     };
     std::mt19937 random(3);
     std::uniform_int_distribution<int> start(0, 900);
