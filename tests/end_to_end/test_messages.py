@@ -80,8 +80,11 @@ class Messages(unittest.TestCase):
     def test_a_new_front_window_is_heard_of(self):
         self.at_rest((500, 600))
         width, height, left, top = MONITORS[0]
-        self.probe("front", left, top, width, height).wait_for_text("^ready$", 30)
+        player = self.probe("front", left, top, width, height)
+        player.wait_for_text("^ready$", 30)
         desktop.wait_for(lambda: not self.panes(), 2, "the pane to go")
+        player.end()
+        desktop.wait_for(self.panes, 10, "the pane to come back")
 
     def test_panes_that_are_no_longer_on_top_come_back(self):
         self.at_rest((500, 600))
