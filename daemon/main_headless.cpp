@@ -150,7 +150,7 @@ int run_on(
     tell_statistics();
 
     if (line.snapshot) {
-        const auto image = hyrax::picture(desktop.last_frame(), monitors);
+        const auto image = hyrax::picture(daemon.frame(), monitors);
         if (const auto written = hyrax::write_png(*line.snapshot, image); !written) {
             return failed(written.error());
         }

@@ -160,8 +160,8 @@ public:
     /// Sleeps until there is input or the deadline has come; `never` waits for input alone.
     virtual std::vector<Input> wait(Ticks deadline) = 0;
     /// Shows the frame, or as much of it as differs from the one before. May get the same again, to
-    /// show all of it that is not seen. Its images stay as they
-    /// are until the next call.
+    /// show all of it that is not seen. Only this call may read the frame's images: they go with
+    /// their edition.
     virtual void present(const Frame& frame) = 0;
     /// Who draws the frames from now on; the first one, too.
     virtual void use_renderer(Renderer renderer) = 0;

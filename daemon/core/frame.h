@@ -13,7 +13,7 @@
 namespace hyrax {
 
 /// One drawn pet. Its image belongs to the atlas or to a speech, and outlives the frame and the one
-/// after it. Where a sprite stood can be told for longer.
+/// after it, if that is of the same edition. Where a sprite stood can be told for longer.
 struct Sprite {
     Sprite(const Image& picture, Point corner, PetId whose, std::uint8_t opacity_of_all = 255)
         : image(&picture), at(corner), size(picture.size), pet(whose), opacity(opacity_of_all) {}

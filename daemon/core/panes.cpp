@@ -101,8 +101,8 @@ std::vector<Rect> MonitorPlan::groups_of(std::span<const Rect> boxes) const {
     });
 }
 
-/// Sprites stay with the pane they are in, others begin a new one. One that is in two makes them
-/// meet soon.
+/// Sprites stay with the pane they are in, others begin a new one. One that is in two belongs to
+/// the first, which then meets the other.
 void MonitorPlan::assign_sprites() {
     for (Pane& pane : panes_) {
         pane.shows = {};

@@ -29,8 +29,6 @@ public:
 
     /// What stands there (virtual desktop); transparent outside all panes.
     Pixel at(Point point) const;
-    /// As presented, with its bubbles among the sprites.
-    const Frame& frame() const { return frame_; }
     const OverlayCounters& counters() const { return counters_; }
 
 private:

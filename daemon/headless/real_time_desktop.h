@@ -55,7 +55,6 @@ public:
     void show_status(const Status&) override {}
     void answer(ClientId client, std::string_view text, Answer which) override;
 
-    const Frame& last_frame() const { return overlay_.frame(); }
     DesktopCounters counters() const;
 
 private:

@@ -66,17 +66,29 @@ void Overlay::present(const Frame& frame, std::span<const Monitor> monitors, Tic
     undrawn_ = false;
     stale_ = false;
     ++counters_.frames;
-    const std::vector<Pane> panes_before = std::move(plan_);
-    const std::vector<Monitor> room = room_for_panes(monitors, frame.kept_free, wine_);
-    const long long price = wine_ ? wine_window_price : window_price;
-    plan_ = plan_panes({room, places_of(frame), {}, true, price}, panes_before, now);
-    std::ranges::stable_sort(plan_, {}, [&](const Pane& pane) { return rank(pane, panes_before); });
+    std::vector<Pane> next = planned(frame, monitors, now, true);
+    std::ranges::stable_sort(next, {}, [this](const Pane& pane) { return rank(pane, plan_); });
+    plan_ = std::move(next);
     const Changes changes{changed_places(frame_, frame), places_of(frame_)};
     for (const Pane& pane : plan_) {
         show(pane, frame, changes, now);
     }
     frame_ = frame;
     retire_windows();
+}
+
+std::vector<Pane> Overlay::planned(
+    const Frame& frame, std::span<const Monitor> monitors, Ticks now, bool drawable
+) const {
+    const std::vector<Monitor> room = room_for_panes(monitors, frame.kept_free, wine_);
+    const std::vector<Rect> places = places_of(frame);
+    const PaneScene scene{
+        .monitors = room,
+        .sprites = places,
+        .drawable = drawable,
+        .window_px = wine_ ? wine_window_price : window_price,
+    };
+    return plan_panes(scene, plan_, now);
 }
 
 void Overlay::show(const Pane& pane, const Frame& frame, const Changes& changes, Ticks now) {
@@ -111,9 +123,7 @@ Ticks Overlay::due() const {
 
 bool Overlay::present_again(std::span<const Monitor> monitors, Ticks now) {
     stale_ = false;
-    const std::vector<Monitor> room = room_for_panes(monitors, frame_.kept_free, wine_);
-    const long long price = wine_ ? wine_window_price : window_price;
-    plan_ = plan_panes({room, places_of(frame_), {}, false, price}, plan_, now);
+    plan_ = planned(frame_, monitors, now, false);
     for (const Pane& pane : plan_) {
         if (PaneWindow* const window = window_of(pane, now)) {
             undrawn_ = !window->show_again(pane.area, now, counters_) || undrawn_;

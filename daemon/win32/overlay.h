@@ -62,6 +62,9 @@ private:
     };
 
     PaneWindow* find(HWND window) const;
+    std::vector<Pane> planned(
+        const Frame& frame, std::span<const Monitor> monitors, Ticks now, bool drawable
+    ) const;
     PaneWindow* window_of(const Pane& pane, Ticks now);
     void show(const Pane& pane, const Frame& frame, const Changes& changes, Ticks now);
     void apply_capture(PaneWindow& window);

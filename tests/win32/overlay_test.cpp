@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the overlay presents, and when; without a display, so that only its counters are seen.
+// What the overlay presents, and when; told by its counters and its windows.
 #include "daemon/win32/overlay.h"
 
 #include <doctest/doctest.h>
