@@ -36,8 +36,8 @@ std::vector<Kind> kinds_for(
     const Profile profile{
         .config = {}, .user = shipped / "config", .shipped = shipped, .more_scripts = {}
     };
-    std::vector<SpriteSet> sets = load_kinds(profile, decode).sets;
-    for (LoadedPluginKind& kind : load_plugin_kinds(plugin, decode)) {
+    std::vector<SpriteSet> sets = completed(load_kinds(profile, decode), {}, profile).sets;
+    for (ReadKind& kind : load_plugin_kinds(plugin, decode)) {
         if (kind.set) {
             sets.push_back(*std::move(kind.set));
         } else {

@@ -74,6 +74,14 @@ void add_common(CLI::App& app, CommonOptions& common, Raw& raw) {
            "Pets sit still, and scripts may not move them"
     )
         ->check(CLI::IsMember({"on", "off"}));
+    app.add_option_function<std::string>(
+           "--click-through",
+           [&common](const std::string& word) {
+               common.requests.emplace_back(request::SetClickThrough{word == "on"});
+           },
+           "The mouse reaches what lies below the pets"
+    )
+        ->check(CLI::IsMember({"on", "off"}));
     add_request(app, common, "--pause", request::SetPaused{true}, "Freeze pets and scripts");
     add_request(app, common, "--resume", request::SetPaused{false}, "Let them go on");
     add_request(

@@ -34,6 +34,7 @@ Outcome status(VerbContext& context, const json&) {
         {"paused", now.paused},
         {"hidden", now.hidden},
         {"quiet", now.quiet},
+        {"click_through", now.click_through},
         {"problem", now.problem},
         {"note", now.note},
         {"integrator", name_of(daemon.engine().integrator())},

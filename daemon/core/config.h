@@ -12,6 +12,7 @@
 #include "daemon/core/result.h"
 #include "daemon/core/script_limits.h"
 #include "daemon/core/topmost.h"
+#include "daemon/core/user_hotkeys.h"
 
 #include <filesystem>
 #include <map>
@@ -43,8 +44,10 @@ struct Config {
     double opacity = 1.0;  ///< Of all pets, least_opacity to 1.
     Renderer renderer = Renderer::blit;
     Layer layer = Layer::above_taskbar;
-    AllowedSettings allowed{};  ///< Where pets may be.
-    bool quiet = false;         ///< Until the user says otherwise.
+    AllowedSettings allowed{};   ///< Where pets may be.
+    bool quiet = false;          ///< Until the user says otherwise.
+    bool click_through = false;  ///< Until the user says otherwise.
+    UserHotkeys hotkeys{};
     ScriptLimits limits;
     std::vector<std::string> scripts{"*.lua"};  ///< Names in the scripts folder; * and ? match.
     bool developer = false;  ///< Clients of the control channel may run code in scripts.

@@ -227,7 +227,8 @@ std::string_view name_of(Integrator integrator) {
 std::span<const Field<Config>> config_table() {
     static const std::vector<Field<Config>> all = [] {
         std::vector<Field<Config>> keys(motion_keys.begin(), motion_keys.end());
-        for (const std::span<const Field<Config>> more : {overlay_table(), script_table()}) {
+        for (const std::span<const Field<Config>> more :
+             {overlay_table(), hotkey_table(), script_table()}) {
             keys.insert(keys.end(), more.begin(), more.end());
         }
         return keys;

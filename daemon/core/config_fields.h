@@ -97,6 +97,7 @@ using Slot = std::variant<
     std::vector<std::string>*,
     std::vector<MonitorName>*,
     std::optional<Rect>*,
+    std::optional<KeyCombination>*,
     std::vector<StartPets>*,
     std::vector<FullScreenRule>*,
     std::map<std::string, PluginChoice>*>;
@@ -117,10 +118,11 @@ struct Field {
     std::span<const std::string_view> choices = {};
 };
 
-/// All of them; the next two are parts of it.
+/// All of them; the next three are parts of it.
 std::span<const Field<Config>> config_table();
 std::span<const Field<Config>> overlay_table();
 std::span<const Field<Config>> script_table();
+std::span<const Field<Config>> hotkey_table();
 std::span<const Field<StartItem>> start_table();
 std::span<const Field<FullScreenRule>> full_screen_rule_table();
 

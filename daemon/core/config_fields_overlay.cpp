@@ -136,6 +136,14 @@ constexpr std::array overlay_keys{
         "Pets sit still: scripts may not move them nor spawn any, only the hand may. The tray "
         "menu's choice comes first."
     },
+    Field<Config>{
+        "/overlay/click_through",
+        [](Config& c) -> Slot { return &c.click_through; },
+        {},
+        "",
+        "Clicks go through pets to what lies below, so that nobody can grab them. The tray menu's "
+        "choice comes first."
+    },
 };
 
 }  // namespace

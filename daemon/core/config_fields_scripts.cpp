@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The keys of config.json about scripts and the log.
+// The keys of config.json about hotkeys, scripts and the log.
 #include "daemon/core/config_fields.h"
 
 namespace hyrax {
@@ -140,7 +140,34 @@ constexpr std::array script_keys{
     },
 };
 
+template <UserHotkey Which>
+constexpr Field<Config> hotkey_field(std::string_view path, std::string_view description) {
+    return {
+        path,
+        [](Config& c) -> Slot { return &c.hotkeys[static_cast<std::size_t>(Which)]; },
+        {},
+        "",
+        description
+    };
+}
+
+constexpr std::array hotkey_keys{
+    hotkey_field<UserHotkey::gather>(
+        "/hotkeys/gather", "Calls all pets to the monitor under the pointer, such as ctrl+alt+g."
+    ),
+    hotkey_field<UserHotkey::hide>("/hotkeys/hide", "Hides all pets, or shows them again."),
+    hotkey_field<UserHotkey::pause>("/hotkeys/pause", "Pets and scripts stand still, or go on."),
+    hotkey_field<UserHotkey::quiet>("/hotkeys/quiet", "Turns quiet on or off."),
+    hotkey_field<UserHotkey::click_through>(
+        "/hotkeys/click_through", "Turns overlay.click_through on or off."
+    ),
+};
+
 }  // namespace
+
+std::span<const Field<Config>> hotkey_table() {
+    return hotkey_keys;
+}
 
 std::span<const Field<Config>> script_table() {
     return script_keys;

@@ -6,6 +6,8 @@
 #include "daemon/core/files.h"
 #include "daemon/core/script_value_json.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <span>
@@ -110,6 +112,25 @@ std::optional<Rect> read_area(const JsonValue& value) {
     return Rect{numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
+std::optional<KeyCombination> read_keys(const JsonValue& value) {
+    constexpr const char* rule = "must be keys such as \"ctrl+alt+g\" or \"\"";
+    const json& raw = value.located().value;
+    if (!raw.is_string()) {
+        value.expected(rule);
+        return std::nullopt;
+    }
+    const std::string& text = raw.get_ref<const std::string&>();
+    if (text.empty()) {
+        return std::nullopt;
+    }
+    const Result<KeyCombination> keys = parse_keys(text);
+    if (!keys) {
+        value.expected(fmt::format("{} ({})", rule, keys.error().message));
+        return std::nullopt;
+    }
+    return *keys;
+}
+
 // A value that does not pass leaves the slot as it was, and an error.
 template <typename Info>
 struct SlotReader {
@@ -148,6 +169,7 @@ struct SlotReader {
     }
     void operator()(std::vector<MonitorName>* slot) const { fill(*slot, read_monitor_name); }
     void operator()(std::optional<Rect>* slot) const { *slot = read_area(value); }
+    void operator()(std::optional<KeyCombination>* slot) const { *slot = read_keys(value); }
     void operator()(std::vector<StartPets>* slot) const { fill(*slot, read_start_item); }
     void operator()(std::vector<FullScreenRule>* slot) const { fill(*slot, read_full_screen_rule); }
     void operator()(std::map<std::string, PluginChoice>* slot) const { read_plugins(value, *slot); }
@@ -229,6 +251,7 @@ struct SlotType {
     std::string_view operator()(const std::vector<std::string>*) const { return "array"; }
     std::string_view operator()(const std::vector<MonitorName>*) const { return "array"; }
     std::string_view operator()(const std::optional<Rect>*) const { return "array"; }
+    std::string_view operator()(const std::optional<KeyCombination>*) const { return "string"; }
     std::string_view operator()(const std::vector<StartPets>*) const { return "array"; }
     std::string_view operator()(const std::vector<FullScreenRule>*) const { return "array"; }
     std::string_view operator()(const std::map<std::string, PluginChoice>*) const {
@@ -260,6 +283,9 @@ struct SlotDefault {
     std::string operator()(const std::optional<Rect>* slot) const {
         const std::optional<Rect>& area = *slot;
         return area ? json{area->x, area->y, area->width, area->height}.dump() : "[]";
+    }
+    std::string operator()(const std::optional<KeyCombination>* slot) const {
+        return json(*slot ? text_of(**slot) : "").dump();
     }
     std::string operator()(const std::vector<StartPets>* slot) const {
         json list = json::array();

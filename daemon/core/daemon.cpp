@@ -29,9 +29,14 @@ Daemon::Daemon(Desktop& desktop, DaemonOptions options)
       welcomed_(!options.welcome) {
     recall();
     read_config();
-    read_kinds();
+    read_plugins();
+    note_stamps();
+    // Nothing is seen yet that could wait.
+    SpriteReading sprites(profile_, plugins_, decode_);
+    sprites.run();
+    use_kinds(sprites.take());
     use_monitors();
-    read_scripts();
+    load_scripts_now();
 }
 
 void Daemon::run() {
@@ -54,7 +59,7 @@ void Daemon::end() {
     const Ticks now = desktop_.now();
     scripts_.end(engine_, monitors_, {.world = clock_.at(now), .machine = now}, patience);
     grant_wishes(now);
-    hotkeys_.clear(desktop_);
+    hotkeys_.give_back_all(desktop_);
     stores_.write_all();
 }
 
@@ -148,7 +153,7 @@ void Daemon::draw(Ticks now) {
 // What scripts ask of somebody else than the engine.
 void Daemon::grant_wishes(Ticks now) {
     if (scripts_.take_loss()) {
-        hotkeys_.clear(desktop_);
+        hotkeys_.give_back_scripts(desktop_);
     }
     for (ScriptCommand& wish : scripts_.take_wishes()) {
         if (auto* const store = std::get_if<command::Store>(&wish)) {
@@ -210,6 +215,7 @@ Status Daemon::status() const {
         .paused = paused_,
         .hidden = remembered_.hidden,
         .quiet = quiet(),
+        .click_through = click_through(),
         .problem = problem(),
         .note = presence_.decisions().note.empty() ? plugins_ask_ : presence_.decisions().note,
     };

@@ -121,6 +121,7 @@ private:
     void on(const input::MonitorsChanged& changed);
     void on(const input::FrameLost& lost);
     void on(const input::FilesChanged& changed);
+    void on(const input::SpritesRead& read);
     void on(const input::FactsChanged& changed);
     void on(const input::ScriptsHeard& heard);
     void on(const input::WindowsChanged& changed);
@@ -154,6 +155,7 @@ private:
     void carry_out(const request::Hide& hide);
     void carry_out(const request::Show& show);
     void carry_out(const request::SetQuiet& wish);
+    void carry_out(const request::SetClickThrough& wish);
     void carry_out(const request::SetMonitor& wish);
     void carry_out(const request::Gather& gather);
     void carry_out(const request::SetScript& wish);
@@ -162,18 +164,23 @@ private:
     void greet();
     void show_when_due(Ticks now);
     bool quiet() const { return remembered_.quiet.value_or(config_.quiet); }
+    bool click_through() const { return remembered_.click_through.value_or(config_.click_through); }
     void keep_quiet();
     void settle();
     bool is_allowed(std::size_t monitor) const;
 
     // daemon_profile.cpp
     void read_config();
-    void read_kinds();
+    void begin_reading_kinds();
+    void note_stamps();
+    void use_kinds(std::vector<ReadKind> kinds);
     void read_scripts();
+    void load_scripts_now();
     void use_monitors();
 
     // daemon_plugins.cpp
-    std::vector<ScriptSource> read_plugins();
+    void read_plugins();
+    std::vector<ScriptSource> plugin_sources();
     void tell_of_plugins(std::vector<std::string> problems);
     const PluginEntry* plugin(const std::string& id) const;
     void carry_out(const request::SetPlugin& wish);
@@ -192,6 +199,7 @@ private:
     // daemon_system.cpp
     ScriptEyes script_eyes();
     bool is_loaded(std::string_view script) const;
+    void carry_out(UserHotkey hotkey);
     void grant(const command::Notify& notice, Ticks now);
     void grant(const command::Hotkey& wish, Ticks now);
 
@@ -228,8 +236,11 @@ private:
     std::vector<ScriptSource> sources_;
     std::vector<std::string> script_names_;  ///< Those that are off as well.
     std::vector<PluginEntry> plugins_;
-    std::string plugin_kinds_;                 ///< stamp_of_kinds()
-    std::optional<std::string> sprite_files_;  ///< stamp_of_folder() of the user's, once read.
+    std::string plugin_kinds_;       ///< stamp_of_kinds()
+    std::string sprite_files_;       ///< stamp_of_folder() of the user's.
+    bool reading_kinds_ = false;     ///< Scripts wait for them.
+    bool kinds_outdated_ = false;    ///< They have changed since that began.
+    bool scripts_outdated_ = false;  ///< All are to start anew.
     std::string plugins_ask_;
     Remembered remembered_;
     Remembered saved_;  ///< As state.json has it.

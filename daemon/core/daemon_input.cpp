@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The daemon's ears: what inputs and requests ask of the engine.
 #include "daemon/core/daemon.h"
-#include "daemon/core/files.h"
 #include "daemon/core/log_failure.h"
 
 #include <spdlog/spdlog.h>
@@ -77,9 +76,6 @@ void Daemon::on(const input::FrameLost&) {
 
 void Daemon::on(const input::FilesChanged&) {
     read_config();
-    if (stamp_of_folder(profile_.user / "sprites") != sprite_files_) {
-        read_kinds();
-    }
     read_scripts();
 }
 
@@ -123,10 +119,10 @@ void Daemon::carry_out(const request::RemoveAll&) {
 
 void Daemon::carry_out(const request::Reload&) {
     read_config();
-    read_kinds();
-    scripts_.renew();
-    sources_.clear();
-    read_scripts();
+    hotkeys_.use(desktop_, config_.hotkeys);
+    scripts_outdated_ = true;
+    read_plugins();
+    begin_reading_kinds();
 }
 
 void Daemon::carry_out(const request::Quit&) {

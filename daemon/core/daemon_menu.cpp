@@ -21,6 +21,7 @@ MenuState Daemon::menu_state() {
         .hidden = remembered_.hidden,
         .seconds_until_tomorrow = seconds_until_tomorrow(wall),
         .quiet = quiet(),
+        .click_through = click_through(),
         .problem = problem(),
     };
     if (remembered_.hidden_until) {

@@ -23,7 +23,7 @@ std::set<std::string> running(const std::vector<PluginEntry>& plugins) {
 
 }  // namespace
 
-std::vector<ScriptSource> Daemon::read_plugins() {
+void Daemon::read_plugins() {
     std::vector<std::string> warnings;
     std::vector<PluginEntry> found = find_plugins(profile_, plugins_, warnings);
     for (const std::string& warning : warnings) {
@@ -38,6 +38,9 @@ std::vector<ScriptSource> Daemon::read_plugins() {
             scripts_.retire(engine_, id);
         }
     }
+}
+
+std::vector<ScriptSource> Daemon::plugin_sources() {
     std::vector<std::string> problems = problems_of(plugins_, config_.plugins);
     std::vector<ScriptSource> sources;
     for (const PluginEntry& entry : plugins_) {
@@ -51,10 +54,6 @@ std::vector<ScriptSource> Daemon::read_plugins() {
         }
     }
     tell_of_plugins(std::move(problems));
-    if (std::string stamp = stamp_of_kinds(plugins_); stamp != plugin_kinds_) {
-        plugin_kinds_ = std::move(stamp);
-        read_kinds();
-    }
     return sources;
 }
 

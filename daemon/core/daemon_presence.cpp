@@ -39,8 +39,10 @@ void Daemon::choose_conduct(bool moving, bool animated) {
         .front = Watch::events,
         .name_programs = presence_.asks_for_programs(),
         .hide_from_capture = config_.presence.hide_from_capture,
-        .let_go = so.windowless || so.unseen || remembered_.hidden,
+        .let_go = so.windowless || so.unseen || remembered_.hidden || click_through(),
+        .click_through = click_through(),
         .resting = !moving && !hand_.pet(),
+        .dragging = hand_.pet().has_value(),
         .layer = config_.layer,
     };
     if (so.unseen || remembered_.hidden || engine_.size() == 0) {

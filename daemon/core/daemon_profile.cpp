@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <iterator>
-#include <span>
+#include <memory>
 #include <utility>
 
 namespace hyrax {
@@ -58,6 +58,7 @@ void Daemon::read_config() {
     use_presence_settings();
     desktop_.use_renderer(config_.renderer);
     keep_quiet();
+    hotkeys_.use(desktop_, config_.hotkeys);
     if (places_moved) {
         use_monitors();
     }
@@ -66,13 +67,37 @@ void Daemon::read_config() {
     }
 }
 
-void Daemon::read_kinds() {
-    // What is there before the first reading is a placeholder.
-    const std::span<const SpriteSet> before =
-        sprite_files_ ? std::span<const SpriteSet>(sets_) : std::span<const SpriteSet>();
+void Daemon::begin_reading_kinds() {
+    if (std::exchange(reading_kinds_, true)) {
+        kinds_outdated_ = true;
+        return;
+    }
+    note_stamps();
+    desktop_.read_aside(std::make_unique<SpriteReading>(profile_, plugins_, decode_));
+}
+
+// Before they are read: who writes meanwhile has them read again.
+void Daemon::note_stamps() {
     sprite_files_ = stamp_of_folder(profile_.user / "sprites");
-    LoadedKinds loaded = load_kinds(profile_, decode_, before);
-    add_plugin_kinds(loaded, plugins_, sets_, decode_);
+    plugin_kinds_ = stamp_of_kinds(plugins_);
+}
+
+void Daemon::on(const input::SpritesRead&) {
+    const std::unique_ptr<SpriteReading> done = desktop_.sprites_read();
+    if (done == nullptr) {
+        return;
+    }
+    reading_kinds_ = false;
+    if (std::exchange(kinds_outdated_, false)) {
+        begin_reading_kinds();
+        return;
+    }
+    use_kinds(done->take());
+    load_scripts_now();
+}
+
+void Daemon::use_kinds(std::vector<ReadKind> kinds) {
+    LoadedKinds loaded = completed(std::move(kinds), std::exchange(sets_, {}), profile_);
     for (const std::string& problem : loaded.problems) {
         spdlog::error("{}", problem);
     }
@@ -85,7 +110,19 @@ void Daemon::read_kinds() {
     engine_.set_kinds(kinds_of(sets_));
 }
 
+// A script may spawn a kind that its plugin brings: it waits for the pictures.
 void Daemon::read_scripts() {
+    read_plugins();
+    if (stamp_of_folder(profile_.user / "sprites") != sprite_files_ ||
+        stamp_of_kinds(plugins_) != plugin_kinds_) {
+        begin_reading_kinds();
+    }
+    if (!reading_kinds_) {
+        load_scripts_now();
+    }
+}
+
+void Daemon::load_scripts_now() {
     LoadedScripts loaded = load_scripts(profile_, config_.scripts);
     if (loaded.problems != script_problems_) {
         for (const std::string& problem : loaded.problems) {
@@ -101,7 +138,11 @@ void Daemon::read_scripts() {
     std::erase_if(loaded.sources, [this](const ScriptSource& source) {
         return remembered_.scripts_off.contains(source.name);
     });
-    std::ranges::move(read_plugins(), std::back_inserter(loaded.sources));
+    std::ranges::move(plugin_sources(), std::back_inserter(loaded.sources));
+    if (std::exchange(scripts_outdated_, false)) {
+        scripts_.renew();
+        sources_.clear();
+    }
     if (loaded.sources != sources_) {
         sources_ = std::move(loaded.sources);
         hotkeys_.keep(desktop_, sources_);

@@ -98,7 +98,7 @@ void Daemon::show_when_due(Ticks now) {
     }
 }
 
-// --- quiet -----------------------------------------------------------------------------------
+// --- quiet and untouched ---------------------------------------------------------------------
 
 void Daemon::carry_out(const request::SetQuiet& wish) {
     remembered_.quiet.reset();
@@ -107,6 +107,17 @@ void Daemon::carry_out(const request::SetQuiet& wish) {
     }
     remember();
     keep_quiet();
+}
+
+void Daemon::carry_out(const request::SetClickThrough& wish) {
+    remembered_.click_through.reset();
+    if (wish.on != config_.click_through) {
+        remembered_.click_through = wish.on;
+    }
+    remember();
+    if (wish.on) {
+        let_go(desktop_.now(), 0.0);
+    }
 }
 
 void Daemon::keep_quiet() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What scripts see and ask of the system: the pointer, windows, hotkeys, notices.
+// What scripts see and ask of the system: the pointer, windows, hotkeys, notices. The user's
+// hotkeys.
 #include "daemon/core/daemon.h"
 
 #include <spdlog/spdlog.h>
@@ -77,11 +78,31 @@ void Daemon::grant(const command::Hotkey& wish, Ticks) {
     }
 }
 
-/// While the world stands still nobody could answer, and nobody wants all of it later.
+/// A script could not answer while the world stands still, and nobody wants all of it later.
 void Daemon::on(const input::HotkeyPressed& pressed) {
-    const std::optional<PressedHotkey> hotkey = hotkeys_.holder(pressed.id);
-    if (hotkey && !clock_.paused()) {
-        scripts_.tell(*hotkey);
+    const std::optional<HotkeyTask> task = hotkeys_.task(pressed.id);
+    if (!task) {
+        return;
+    }
+    if (const auto* const hotkey = std::get_if<UserHotkey>(&*task)) {
+        carry_out(*hotkey);
+    } else if (!clock_.paused()) {
+        scripts_.tell(std::get<PressedHotkey>(*task));
+    }
+}
+
+void Daemon::carry_out(UserHotkey hotkey) {
+    switch (hotkey) {
+        case UserHotkey::gather:
+            return carry_out(request::Gather{});
+        case UserHotkey::hide:
+            return remembered_.hidden ? carry_out(request::Show{}) : carry_out(request::Hide{});
+        case UserHotkey::pause:
+            return carry_out(request::TogglePause{});
+        case UserHotkey::quiet:
+            return carry_out(request::SetQuiet{!quiet()});
+        case UserHotkey::click_through:
+            return carry_out(request::SetClickThrough{!click_through()});
     }
 }
 

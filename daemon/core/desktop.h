@@ -11,12 +11,14 @@
 #include "daemon/core/menu.h"
 #include "daemon/core/request.h"
 #include "daemon/core/result.h"
+#include "daemon/core/sprite_reading.h"
 #include "daemon/core/topmost.h"
 #include "daemon/core/wall_time.h"
 #include "physics/ticks.h"
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -66,6 +68,8 @@ struct MonitorsChanged {};
 struct FrameLost {};
 /// A file of the profile may have changed: config.json, a script, a sprite set.
 struct FilesChanged {};
+/// Sprite sets have been read: see Desktop::read_aside().
+struct SpritesRead {};
 /// Who is in front, or how the machine is, has changed.
 /// `time`: when it was noticed, which may be before the machine slept.
 struct FactsChanged {
@@ -101,6 +105,7 @@ using Input = std::variant<
     input::MonitorsChanged,
     input::FrameLost,
     input::FilesChanged,
+    input::SpritesRead,
     input::FactsChanged,
     input::ScriptsHeard,
     input::WindowsChanged,
@@ -111,8 +116,9 @@ using Input = std::variant<
 
 /// What the daemon wants to hear of other programs' windows.
 struct WindowInterest {
-    bool any = false;                      ///< Changes come as WindowsChanged.
-    std::vector<std::uint64_t> underfoot;  ///< Pets stand on these: their every move counts.
+    bool any = false;  ///< Changes come as WindowsChanged.
+    /// Pets stand on these, or will in a moment: their every move counts.
+    std::vector<std::uint64_t> underfoot;
     bool operator==(const WindowInterest&) const = default;
 };
 
@@ -122,6 +128,7 @@ struct Status {
     bool paused = false;
     bool hidden = false;
     bool quiet = false;
+    bool click_through = false;
     std::string problem{};  ///< One line about what is wrong; empty when nothing is.
     std::string note{};     ///< One line on why pets are not as usual; else empty.
     bool operator==(const Status&) const = default;
@@ -140,7 +147,9 @@ struct Conduct {
     bool name_programs = false;      ///< FrontWindow::program is wanted.
     bool hide_from_capture = false;  ///< Screenshots and recordings must not show the pets.
     bool let_go = false;             ///< The pointer must not be kept: windows have to go.
+    bool click_through = false;      ///< The mouse reaches what lies below the pets.
     bool resting = true;             ///< Nothing moves: little of the processor is needed.
+    bool dragging = false;           ///< The user holds a pet, and sees each delay.
     Layer layer = Layer::above_taskbar;
     bool operator==(const Conduct&) const = default;
 };
@@ -189,6 +198,10 @@ public:
         return failure("there is no keyboard here");
     }
     virtual void give_back_hotkey(HotkeyId /*id*/) {}
+    /// Runs it, on a thread of its own where frames must not wait. SpritesRead comes when it is
+    /// done, and then sprites_read() gives it back, once. One at a time.
+    virtual void read_aside(std::unique_ptr<SpriteReading> reading) = 0;
+    virtual std::unique_ptr<SpriteReading> sprites_read() = 0;
     /// Where the pointer is now, if there is one [virtual desktop, physical px].
     virtual std::optional<Point> pointer() { return std::nullopt; }
     /// UTC where the desktop knows no other.

@@ -171,7 +171,8 @@ public:
     /// semi_implicit_euler knows no ledges.
     void set_ledges(std::vector<LedgeSegment> ledges);
     const std::vector<LedgeSegment>& ledges() const { return ledges_; }
-    /// The windows that pets stand on, sorted.
+    /// The windows that pets stand on, or will come down on within half a second, as far as that is
+    /// known beforehand; sorted.
     std::vector<std::uint64_t> windows_underfoot() const;
     /// True if a pet may come onto a ledge before anything happens from outside.
     bool may_meet_ledges() const { return knows_ledges() && (moving() || !held_.empty()); }
@@ -242,7 +243,9 @@ private:
     bool knows_ledges() const;
     BodyState state_in_space(const Pet& pet) const;
     Contact next_contact_of(const Pet& pet) const;
+    const LedgeSegment* ledge_at(const Pet& pet, Vec2 at) const;
     const LedgeSegment* ledge_under(const Pet& pet) const;
+    const LedgeSegment* ledge_ahead(const Pet& pet) const;
     void lay_ledges();
     void find_footing(const Footing& before, Pet& pet);
 

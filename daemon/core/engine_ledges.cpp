@@ -13,6 +13,9 @@ namespace {
 // A window that rises or sinks by this in one update leaves its pets behind [px].
 constexpr int yanked = 200;
 
+// How long before a pet comes down on a window it matters that the window moves.
+constexpr Ticks soon = ticks_per_second / 2;
+
 bool same_contact(const Contact& a, const Contact& b) {
     return a.time == b.time && a.kind == b.kind && a.side == b.side;
 }
@@ -60,12 +63,9 @@ Contact Engine::next_contact_of(const Pet& pet) const {
     return next_contact(state_in_space(pet), rules_.law, around(pet).space);
 }
 
-const LedgeSegment* Engine::ledge_under(const Pet& pet) const {
-    if (ledges_.empty() || pet.motion == Motion::held || pet.body.mode() == Mode::air) {
-        return nullptr;
-    }
+/// Whose top is exactly at that place of its space, unless a floor is.
+const LedgeSegment* Engine::ledge_at(const Pet& pet, Vec2 at) const {
     const FreeSpace& space = around(pet).space;
-    const Vec2 at = state_in_space(pet).position;
     const auto carries = [at](const Barrier& floor) {
         return floor.at == at.y && at.x > floor.low && at.x < floor.high;
     };
@@ -77,14 +77,38 @@ const LedgeSegment* Engine::ledge_under(const Pet& pet) const {
     return found == tops.end() ? nullptr : &ledges_[static_cast<std::size_t>(found - tops.begin())];
 }
 
+const LedgeSegment* Engine::ledge_under(const Pet& pet) const {
+    if (ledges_.empty() || pet.motion == Motion::held || pet.body.mode() == Mode::air) {
+        return nullptr;
+    }
+    return ledge_at(pet, state_in_space(pet).position);
+}
+
+const LedgeSegment* Engine::ledge_ahead(const Pet& pet) const {
+    if (ledges_.empty() || pet.motion == Motion::held || pet.body.mode() != Mode::air ||
+        rules_.integrator != Integrator::event_driven ||
+        pet.body.next_event() > own_time(pet) + soon) {
+        return nullptr;
+    }
+    const BodyState state = state_in_space(pet);
+    const Contact next = next_contact(state, rules_.law, around(pet).space);
+    if (next.kind != ContactKind::floor) {
+        return nullptr;
+    }
+    const Vec2 there = free_motion(state, rules_.law, next.time).position;
+    return ledge_at(pet, {there.x, next.side});
+}
+
 std::vector<std::uint64_t> Engine::windows_underfoot() const {
     std::vector<std::uint64_t> windows;
     if (!knows_ledges()) {
         return windows;
     }
     pets_.for_each([&](PetId, const Pet& pet) {
-        if (const LedgeSegment* const ledge = ledge_under(pet)) {
-            windows.push_back(ledge->window);
+        for (const LedgeSegment* const ledge : {ledge_under(pet), ledge_ahead(pet)}) {
+            if (ledge != nullptr) {
+                windows.push_back(ledge->window);
+            }
         }
     });
     std::ranges::sort(windows);

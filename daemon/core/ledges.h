@@ -21,12 +21,13 @@ enum class LedgeMode : std::uint8_t {
 
 /// A window as the desktop reports it, in physical pixels of the virtual desktop.
 struct DesktopWindow {
-    std::uint64_t id = 0;     ///< The system's; may come again once the window is gone.
-    Rect bounds;              ///< What is seen of it, without shadows.
-    bool active = false;      ///< In the foreground.
-    bool visible = true;      ///< Shown, not minimised, not cloaked by the system.
-    bool solid = true;        ///< Catches the mouse: false for our own windows and for overlays.
-    bool has_caption = true;  ///< False for tool windows without one: menus, bars, tips.
+    std::uint64_t id = 0;  ///< The system's; may come again once the window is gone.
+    Rect bounds;           ///< What is seen of it, without shadows.
+    bool active = false;   ///< In the foreground.
+    bool visible = true;   ///< Shown, not minimised, not cloaked by the system.
+    bool solid = true;     ///< Catches the mouse: false for our own windows and for overlays.
+    /// False for tool windows without one and for what a hidden window owns: menus, bars, tips.
+    bool has_caption = true;
     bool maximised = false;
     bool operator==(const DesktopWindow&) const = default;
 };

@@ -200,6 +200,11 @@ MenuItems tray_menu(const MenuState& state) {
     menu.push_back(ticked("&Pause", state.paused, Request{request::SetPaused{!state.paused}}));
     menu.push_back(hide_or_show(state));
     menu.push_back(ticked("Qui&et", state.quiet, Request{request::SetQuiet{!state.quiet}}));
+    menu.push_back(ticked(
+        "Clic&ks go through",
+        state.click_through,
+        Request{request::SetClickThrough{!state.click_through}}
+    ));
     menu.push_back(line());
     menu.push_back(submenu("S&cripts", scripts_menu(state)));
     if (!state.plugins.empty()) {

@@ -87,6 +87,7 @@ struct MenuState {
     std::string hidden_until{};               ///< For people; empty: until the user says so.
     std::int64_t seconds_until_tomorrow = 0;  ///< To six in the morning.
     bool quiet = false;
+    bool click_through = false;
     std::vector<ScriptState> scripts{};
     std::vector<PluginMenuState> plugins{};
     std::vector<MonitorState> monitors{};

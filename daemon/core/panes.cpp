@@ -219,18 +219,25 @@ void MonitorPlan::join(std::size_t first, std::size_t second) {
     }
 }
 
-/// Each without one gets the lowest that none has.
-void give_slots(std::vector<Pane>& panes) {
+/// Each without one gets the lowest that none has, nor had before: its window still shows a pet.
+void give_slots(std::vector<Pane>& panes, std::span<const Pane> before) {
     for (Pane& pane : panes) {
         if (pane.slot != no_slot) {
             continue;
         }
         std::size_t slot = 0;
-        while (std::ranges::find(panes, slot, &Pane::slot) != panes.end()) {
+        while (std::ranges::find(panes, slot, &Pane::slot) != panes.end() ||
+               std::ranges::find(before, slot, &Pane::slot) != before.end()) {
             ++slot;
         }
         pane.slot = slot;
     }
+}
+
+/// The pane leaves a place that the other comes to.
+bool gives_way(const Pane& pane, const Pane& other, std::span<const Pane> before) {
+    const auto former = std::ranges::find(before, pane.slot, &Pane::slot);
+    return former != before.end() && pane.slot != other.slot && meet(former->area, other.area);
 }
 
 }  // namespace
@@ -247,8 +254,22 @@ std::vector<Pane> plan_panes(const PaneScene& scene, std::span<const Pane> befor
             );
         }
     }
-    give_slots(panes);
+    give_slots(panes, before);
     return panes;
+}
+
+/// Two that change places have no such order, and keep theirs.
+void sort_for_showing(std::vector<Pane>& panes, std::span<const Pane> before) {
+    for (auto first = panes.begin(); first != panes.end(); ++first) {
+        const auto next = std::find_if(first, panes.end(), [&](const Pane& pane) {
+            return std::none_of(first, panes.end(), [&](const Pane& other) {
+                return gives_way(pane, other, before);
+            });
+        });
+        if (next != panes.end()) {
+            std::rotate(first, next, next + 1);
+        }
+    }
 }
 
 Ticks next_plan(std::span<const Pane> panes) {

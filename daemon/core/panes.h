@@ -48,6 +48,10 @@ inline constexpr std::size_t most_panes = 8;
 /// one around both, become one.
 std::vector<Pane> plan_panes(const PaneScene& scene, std::span<const Pane> before, Ticks now);
 
+/// Into the order in which windows are to show them, one after the other: a pet that comes into
+/// another pane stands there before it leaves the one of `before`.
+void sort_for_showing(std::vector<Pane>& panes, std::span<const Pane> before);
+
 /// When to plan again although no sprite moves, because a pane may shrink then; `never` if none.
 Ticks next_plan(std::span<const Pane> panes);
 

@@ -189,11 +189,14 @@ void judge(
     }
 }
 
-std::vector<LoadedPluginKind> load_plugin_kinds(const Plugin& plugin, const ImageDecoder& decode) {
-    std::vector<LoadedPluginKind> kinds;
+std::vector<ReadKind> load_plugin_kinds(
+    const Plugin& plugin, const ImageDecoder& decode, std::size_t room
+) {
+    std::vector<ReadKind> kinds;
     std::size_t pixels = 0;
     for (const PluginKind& kind : plugin.kinds) {
-        Result<SpriteSet> set = load_sprite_set(folder_of(plugin, kind), decode);
+        Result<SpriteSet> set =
+            load_sprite_set(folder_of(plugin, kind), decode, room - std::min(room, pixels));
         if (set) {
             set->name = whole_name(plugin, kind);
             pixels += set->sheet.pixels.size();
@@ -274,30 +277,6 @@ std::string asking_text(const std::vector<PluginEntry>& plugins) {
         }
     }
     return text;
-}
-
-void add_plugin_kinds(
-    LoadedKinds& kinds,
-    const std::vector<PluginEntry>& plugins,
-    const std::vector<SpriteSet>& before,
-    const ImageDecoder& decode
-) {
-    for (const PluginEntry& entry : plugins) {
-        if (entry.state != PluginState::on) {
-            continue;
-        }
-        for (LoadedPluginKind& kind : load_plugin_kinds(*entry.plugin, decode)) {
-            if (kind.set) {
-                kinds.sets.push_back(*std::move(kind.set));
-                continue;
-            }
-            kinds.problems.push_back(kind.set.error().message);
-            const auto old = std::ranges::find(before, kind.name, &SpriteSet::name);
-            if (old != before.end()) {
-                kinds.sets.push_back(*old);
-            }
-        }
-    }
 }
 
 std::string stamp_of_kinds(const std::vector<PluginEntry>& plugins) {

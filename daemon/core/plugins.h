@@ -49,14 +49,11 @@ void judge(
     std::vector<PluginEntry>& plugins, const PluginChoices& choices, const Remembered& remembered
 );
 
-/// A kind of a plugin.
-struct LoadedPluginKind {
-    std::string name;  ///< "<id>/<kind>"
-    Result<SpriteSet> set;
-};
-
-/// The plugin's sets in its own order. Those for which most_plugin_pixels leaves no room fail.
-std::vector<LoadedPluginKind> load_plugin_kinds(const Plugin& plugin, const ImageDecoder& decode);
+/// The plugin's sets, "<id>/<kind>", in its own order. Those fail for which most_plugin_pixels, or
+/// what other sets have left of most_sheet_pixels, leaves no room.
+std::vector<ReadKind> load_plugin_kinds(
+    const Plugin& plugin, const ImageDecoder& decode, std::size_t room = most_sheet_pixels
+);
 
 /// What the setting is: the value that the choice gives it, where that fits, else its default.
 ScriptValue value_in_force(const PluginSetting& setting, const PluginChoice& choice);
@@ -75,15 +72,6 @@ std::vector<std::string> problems_of(
 /// "weather asks for: wind (tray menu: Plugins, or hyraxctl plugins allow weather)" for each that
 /// asks, joined; empty: none.
 std::string asking_text(const std::vector<PluginEntry>& plugins);
-
-/// Appends the sets of plugins that are on. One that cannot be read is told, and stays as it is in
-/// `before`.
-void add_plugin_kinds(
-    LoadedKinds& kinds,
-    const std::vector<PluginEntry>& plugins,
-    const std::vector<SpriteSet>& before,
-    const ImageDecoder& decode
-);
 
 /// Changes when the files of these sets do.
 std::string stamp_of_kinds(const std::vector<PluginEntry>& plugins);

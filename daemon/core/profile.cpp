@@ -61,30 +61,41 @@ bool is_inside(const fs::path& name) {
 
 }  // namespace
 
-LoadedKinds load_kinds(
-    const Profile& profile, const ImageDecoder& decode, std::span<const SpriteSet> before
-) {
+std::vector<ReadKind> load_kinds(const Profile& profile, const ImageDecoder& decode) {
     std::map<std::string, fs::path> folders;
     find_sprite_folders(profile.user / "sprites", folders);
     find_sprite_folders(profile.shipped / "config" / "sprites", folders);
 
-    LoadedKinds loaded;
-    bool has_hyrax = false;
+    std::vector<ReadKind> kinds;
+    std::size_t room = most_sheet_pixels;
     for (const auto& [name, folder] : folders) {
-        Result<SpriteSet> set = load_sprite_set(folder, decode);
-        if (!set) {
-            loaded.problems.push_back(set.error().message);
-            const auto old = std::ranges::find(before, name, &SpriteSet::name);
-            if (old == before.end()) {
-                continue;
-            }
-            set = *old;
+        Result<SpriteSet> set = load_sprite_set(folder, decode, room);
+        if (set) {
+            set->name = name;
+            room -= set->sheet.pixels.size();
         }
-        set->name = name;
-        has_hyrax = has_hyrax || name == "hyrax";
-        loaded.sets.push_back(*std::move(set));
+        kinds.push_back({name, std::move(set)});
     }
-    if (!has_hyrax) {
+    return kinds;
+}
+
+LoadedKinds completed(
+    std::vector<ReadKind> read, std::vector<SpriteSet> before, const Profile& profile
+) {
+    LoadedKinds loaded;
+    for (ReadKind& kind : read) {
+        if (kind.set) {
+            loaded.sets.push_back(*std::move(kind.set));
+            continue;
+        }
+        loaded.problems.push_back(kind.set.error().message);
+        const auto old = std::ranges::find(before, kind.name, &SpriteSet::name);
+        if (old != before.end()) {
+            loaded.sets.push_back(std::move(*old));
+            before.erase(old);
+        }
+    }
+    if (std::ranges::find(loaded.sets, "hyrax", &SpriteSet::name) == loaded.sets.end()) {
         loaded.problems.push_back(fmt::format(
             "no sprite set \"hyrax\" in {} or {}: showing a plain round pet instead",
             text_of(profile.user / "sprites"),

@@ -6,7 +6,6 @@
 #include "daemon/core/sprite_set.h"
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,16 +24,25 @@ struct Profile {
     std::filesystem::path state{};
 };
 
+/// A sprite set that was looked for.
+struct ReadKind {
+    std::string name;
+    Result<SpriteSet> set;
+};
+
 struct LoadedKinds {
     std::vector<SpriteSet> sets;        ///< Never empty; "hyrax" is always there.
     std::vector<std::string> problems;  ///< One line for each set that could not be read.
 };
 
 /// Reads every folder with a sprite.json in user/sprites and shipped/config/sprites, sorted by
-/// name. A set that cannot be read stays as it was `before`, or is left out if it is new; where no
-/// "hyrax" can be read, a placeholder takes its place.
-LoadedKinds load_kinds(
-    const Profile& profile, const ImageDecoder& decode, std::span<const SpriteSet> before = {}
+/// name. Sets fail for which the sheets of those before leave no room.
+std::vector<ReadKind> load_kinds(const Profile& profile, const ImageDecoder& decode);
+
+/// What is used from now on: a set that could not be read stays as it was `before`, or is left out
+/// if it is new; where there is no "hyrax", a placeholder takes its place.
+LoadedKinds completed(
+    std::vector<ReadKind> read, std::vector<SpriteSet> before, const Profile& profile
 );
 
 struct LoadedScripts {

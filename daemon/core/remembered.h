@@ -20,6 +20,7 @@ struct Remembered {
     bool hidden = false;
     std::optional<std::int64_t> hidden_until{};  ///< Seconds since 1970, UTC; none: until shown.
     std::optional<bool> quiet{};                 ///< Instead of the config's.
+    std::optional<bool> click_through{};         ///< Instead of the config's.
     std::map<std::string, bool> monitors{};      ///< Instead of the config's, by identity().
     std::set<std::string> scripts_off{};         ///< Of those that the config names.
     std::map<std::string, bool> plugins{};       ///< Whether they run, instead of the config's.

@@ -81,6 +81,7 @@ Result<Remembered> parse_remembered(std::string_view text, std::string_view file
             }
         }
         read_flag(root, "quiet", result.quiet);
+        read_flag(root, "click_through", result.click_through);
         if (const auto value = root.member("monitors")) {
             read_flags(*value, result.monitors);
         }
@@ -109,6 +110,9 @@ std::string text_of(const Remembered& remembered) {
     }
     if (remembered.quiet) {
         root["quiet"] = *remembered.quiet;
+    }
+    if (remembered.click_through) {
+        root["click_through"] = *remembered.click_through;
     }
     root["monitors"] = remembered.monitors;
     root["scripts_off"] = remembered.scripts_off;

@@ -31,6 +31,10 @@ struct Show {};
 struct SetQuiet {
     bool quiet = false;
 };
+/// The mouse reaches what lies below the pets.
+struct SetClickThrough {
+    bool on = false;
+};
 /// Whether pets may be on a monitor, named by its identity().
 struct SetMonitor {
     std::string monitor;
@@ -86,6 +90,7 @@ using Request = std::variant<
     request::Hide,
     request::Show,
     request::SetQuiet,
+    request::SetClickThrough,
     request::SetMonitor,
     request::SetScript,
     request::SetPlugin,

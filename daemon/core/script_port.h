@@ -49,6 +49,7 @@ struct PetView {
 struct PressedHotkey {
     std::string script;
     std::uint64_t id = 0;
+    bool operator==(const PressedHotkey&) const = default;
 };
 
 /// A text to run in a script, for somebody who writes it.

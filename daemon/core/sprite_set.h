@@ -7,6 +7,7 @@
 #include "daemon/core/result.h"
 #include "physics/ticks.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -52,10 +53,16 @@ struct SpriteSet {
     const Animation& animation(std::string_view animation_name) const;
 };
 
+/// What the sheets of all sets that are loaded at a time have at most: 128 MiB.
+inline constexpr std::size_t most_sheet_pixels = std::size_t{32} << 20U;
+
 /// Reads <folder>/sprite.json and its sheet. The message of a failure names the file and the key.
-/// Pixels with alpha below 8 are cleared, so that shadows nobody sees do not catch clicks.
+/// Pixels with alpha below 8 are cleared, so that shadows nobody sees do not catch clicks. A sheet
+/// with more pixels than `room`, which other sets have left, is not decoded.
 [[nodiscard]] Result<SpriteSet> load_sprite_set(
-    const std::filesystem::path& folder, const ImageDecoder& decode
+    const std::filesystem::path& folder,
+    const ImageDecoder& decode,
+    std::size_t room = most_sheet_pixels
 );
 
 /// A plain round pet, drawn by code: for a folder in which no sprite set can be read.

@@ -243,7 +243,9 @@ Pixel cleaned(Pixel pixel) {
     return result;
 }
 
-Result<Image> load_sheet(const fs::path& path, Size cell, const ImageDecoder& decode) {
+Result<Image> load_sheet(
+    const fs::path& path, Size cell, const ImageDecoder& decode, std::size_t room
+) {
     const Result<std::vector<std::byte>> file = read_binary_file(path, max_image_file_bytes);
     if (!file) {
         return std::unexpected(file.error());
@@ -264,11 +266,22 @@ Result<Image> load_sheet(const fs::path& path, Size cell, const ImageDecoder& de
             cell.height
         ));
     }
+    const auto pixels =
+        static_cast<std::size_t>(size->width) * static_cast<std::size_t>(size->height);
+    if (pixels > room) {
+        return failure(fmt::format(
+            "{}: has {} pixels, but there is room for {} more: all sheets together have at most {}",
+            name,
+            pixels,
+            room,
+            most_sheet_pixels
+        ));
+    }
     Result<Image> sheet = decode(*file);
     if (!sheet) {
         return failure(fmt::format("{}: cannot be decoded: {}", name, sheet.error().message));
     }
-    if (sheet->size != *size || sheet->pixels.size() != Image(*size).pixels.size()) {
+    if (sheet->size != *size || sheet->pixels.size() != pixels) {
         return failure(fmt::format("{}: was decoded to another size than its header says", name));
     }
     std::ranges::transform(sheet->pixels, sheet->pixels.begin(), cleaned);
@@ -277,7 +290,9 @@ Result<Image> load_sheet(const fs::path& path, Size cell, const ImageDecoder& de
 
 }  // namespace
 
-Result<SpriteSet> load_sprite_set(const fs::path& folder, const ImageDecoder& decode) {
+Result<SpriteSet> load_sprite_set(
+    const fs::path& folder, const ImageDecoder& decode, std::size_t room
+) {
     const fs::path file = folder / "sprite.json";
     const Result<std::string> text = read_text_file(file, max_json_bytes);
     if (!text) {
@@ -292,7 +307,8 @@ Result<SpriteSet> load_sprite_set(const fs::path& folder, const ImageDecoder& de
     if (!set) {
         return set;
     }
-    Result<Image> sheet = load_sheet(folder / path_from_utf8(reader.sheet()), set->cell, decode);
+    Result<Image> sheet =
+        load_sheet(folder / path_from_utf8(reader.sheet()), set->cell, decode, room);
     if (!sheet) {
         return std::unexpected(sheet.error());
     }

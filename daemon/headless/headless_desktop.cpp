@@ -49,6 +49,11 @@ void HeadlessDesktop::watch_windows(const WindowInterest& interest) {
     interest_ = interest;
 }
 
+void HeadlessDesktop::read_aside(std::unique_ptr<SpriteReading> reading) {
+    reading_ = std::move(reading);
+    reading_->run();
+}
+
 // When the next change will be told.
 Ticks HeadlessDesktop::window_change() const {
     const auto next = std::ranges::upper_bound(windows_, told_, {}, &TimedWindows::time);
@@ -58,6 +63,9 @@ Ticks HeadlessDesktop::window_change() const {
 std::vector<Input> HeadlessDesktop::wait(Ticks deadline) {
     if (before_time_moves_ && before_time_moves_()) {
         return {input::ScriptsHeard{}};
+    }
+    if (reading_) {
+        return {input::SpritesRead{}};
     }
     const Ticks input_time = next_ < inputs_.size() ? inputs_[next_].time : never;
     const Ticks window_time = window_change();

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -83,6 +84,9 @@ public:
     }
 
     void follow(const Conduct& conduct) override { conduct_ = conduct; }
+    /// Reads at once; wait() says so before time moves on.
+    void read_aside(std::unique_ptr<SpriteReading> reading) override;
+    std::unique_ptr<SpriteReading> sprites_read() override { return std::move(reading_); }
 
     const Conduct& conduct() const { return conduct_; }
     Renderer renderer() const { return renderer_; }
@@ -109,6 +113,7 @@ private:
 
     std::vector<Monitor> monitors_;
     std::function<bool()> before_time_moves_;
+    std::unique_ptr<SpriteReading> reading_;
     std::vector<TimedWindows> windows_;
     WindowInterest interest_;
     Ticks told_ = 0;                  // Changes of windows up to here are known to the daemon.

@@ -3,11 +3,13 @@
 
 #include <poll.h>
 #include <signal.h>
+#include <sys/eventfd.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <utility>
 
 namespace hyrax {
@@ -51,7 +53,12 @@ RealTimeDesktop::RealTimeDesktop(
 )
     : monitors_(std::move(monitors)),
       end_(span > never - now() ? never : now() + span),
-      control_(std::move(control)) {}
+      control_(std::move(control)),
+      sprites_event_(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)),
+      worker_([this] {
+          constexpr std::uint64_t one = 1;
+          [[maybe_unused]] const auto sent = ::write(sprites_event_.raw(), &one, sizeof one);
+      }) {}
 
 Ticks RealTimeDesktop::now() {
     const auto since = std::chrono::steady_clock::now().time_since_epoch();
@@ -70,6 +77,9 @@ std::vector<Input> RealTimeDesktop::wait(Ticks deadline) {
         }
         if (time >= overlay_.due()) {
             overlay_.present_again(monitors_, time);
+        }
+        if (worker_.done()) {
+            inbox.emplace_back(input::SpritesRead{});
         }
         if (!inbox.empty() || time >= deadline) {
             return inbox;
@@ -100,6 +110,7 @@ void RealTimeDesktop::sleep_until(Ticks due, std::vector<Input>& inbox) {
     std::vector<pollfd> watched{
         {.fd = signals_.descriptor(), .events = POLLIN, .revents = 0},
         {.fd = scripts, .events = POLLIN, .revents = 0},
+        {.fd = sprites_event_.raw(), .events = POLLIN, .revents = 0},
     };
     if (control_) {
         control_->poll_for(watched);
@@ -112,6 +123,14 @@ void RealTimeDesktop::sleep_until(Ticks due, std::vector<Input>& inbox) {
     if (watched[1].revents != 0) {
         inbox.emplace_back(input::ScriptsHeard{});
     }
+    if (watched[2].revents != 0) {
+        std::uint64_t count = 0;
+        [[maybe_unused]] const auto taken = ::read(sprites_event_.raw(), &count, sizeof count);
+    }
+}
+
+void RealTimeDesktop::read_aside(std::unique_ptr<SpriteReading> reading) {
+    worker_.begin(std::move(reading));
 }
 
 void RealTimeDesktop::answer(ClientId client, std::string_view text, Answer which) {

@@ -3,11 +3,14 @@
 #pragma once
 
 #include "daemon/core/desktop.h"
+#include "daemon/core/sprite_worker.h"
 #include "daemon/core/statistics.h"
 #include "daemon/headless/control_socket.h"
+#include "daemon/headless/file_descriptor.h"
 #include "daemon/headless/memory_overlay.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -54,6 +57,8 @@ public:
     std::vector<Monitor> monitors() override { return monitors_; }
     void show_status(const Status&) override {}
     void answer(ClientId client, std::string_view text, Answer which) override;
+    void read_aside(std::unique_ptr<SpriteReading> reading) override;
+    std::unique_ptr<SpriteReading> sprites_read() override { return worker_.take(); }
 
     DesktopCounters counters() const;
 
@@ -69,6 +74,8 @@ private:
     std::function<int()> script_wire_;
     MemoryOverlay overlay_;
     DesktopCounters counters_;
+    FileDescriptor sprites_event_;  // Becomes readable when sprite sets have been read.
+    SpriteWorker worker_;
 };
 
 }  // namespace hyrax

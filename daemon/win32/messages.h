@@ -13,6 +13,9 @@ inline constexpr UINT modal_message = WM_APP + 2;
 /// The menu that show_menu() has been given is to be opened.
 inline constexpr UINT menu_message = WM_APP + 3;
 
+/// Sprite sets have been read: the message only wakes the daemon.
+inline constexpr UINT sprites_message = WM_APP + 4;
+
 /// Another program's window has come to the front.
 inline constexpr UINT front_message = WM_APP + 20;
 /// From the shell, to appbars.

@@ -28,16 +28,6 @@ PresentCost cost_on(const Rect& pane, std::size_t panes, bool wine) {
 /// tried this was the cheapest for two, for ten and for a hundred pets.
 constexpr long long wine_window_price = 80'000;
 
-/// The order in which panes are shown: a pet that changes its pane stands in the new one before it
-/// leaves the old one.
-int rank(const Pane& pane, std::span<const Pane> before) {
-    const auto known = std::ranges::find(before, pane.slot, &Pane::slot);
-    if (known == before.end()) {
-        return 0;
-    }
-    return known->area.contains(pane.area) ? 2 : 1;
-}
-
 /// Where panes may lie. Wine 8 takes a window that fills a screen for that of a full-screen program
 /// and hands it to the window manager, or waits for one: there the top row of pixels stays free.
 std::vector<Monitor> room_for_panes(
@@ -67,7 +57,7 @@ void Overlay::present(const Frame& frame, std::span<const Monitor> monitors, Tic
     stale_ = false;
     ++counters_.frames;
     std::vector<Pane> next = planned(frame, monitors, now, true);
-    std::ranges::stable_sort(next, {}, [this](const Pane& pane) { return rank(pane, plan_); });
+    sort_for_showing(next, plan_);
     plan_ = std::move(next);
     const Changes changes{changed_places(frame_, frame), places_of(frame_)};
     for (const Pane& pane : plan_) {
@@ -217,6 +207,15 @@ void Overlay::use_layer(Layer layer) {
     }
     for (const auto& window : windows_) {
         window->take_place(layer);
+    }
+}
+
+void Overlay::use_clicks(PaneClicks clicks) {
+    if (std::exchange(clicks_, clicks) == clicks) {
+        return;
+    }
+    for (const auto& window : windows_) {
+        window->use_clicks(clicks);
     }
 }
 

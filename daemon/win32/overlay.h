@@ -37,6 +37,8 @@ public:
     bool visible() const;
     /// Where panes stand among all windows.
     void use_layer(Layer layer);
+    /// What the mouse meets where a pet is seen.
+    void use_clicks(PaneClicks clicks);
     /// Something that should be below lies above a pane.
     bool buried() const;
     void raise();

@@ -23,6 +23,10 @@ constexpr DWORD pane_style = WS_EX_LAYERED | WS_EX_TOPMOST | WS_EX_TOOLWINDOW | 
 
 constexpr const wchar_t* not_rude = L"NonRudeHWND";
 
+DWORD style_for(PaneClicks clicks) {
+    return clicks == PaneClicks::on_pixels ? pane_style : pane_style | WS_EX_TRANSPARENT;
+}
+
 void render(
     const PixelView& target,
     const PanePicture& picture,
@@ -57,10 +61,9 @@ Result<std::unique_ptr<PaneWindow>> PaneWindow::create(
     std::size_t slot, PaneClicks clicks, MessageHandler& handler
 ) {
     std::unique_ptr<PaneWindow> pane(new PaneWindow(slot));
-    const DWORD style =
-        clicks == PaneClicks::on_pixels ? pane_style : pane_style | WS_EX_TRANSPARENT;
     Result<Window> window = create_window(
-        {.class_name = L"hyrax.pane", .title = L"hyrax pane", .extended_style = style}, handler
+        {.class_name = L"hyrax.pane", .title = L"hyrax pane", .extended_style = style_for(clicks)},
+        handler
     );
     if (!window) {
         return std::unexpected(window.error());
@@ -251,6 +254,23 @@ void PaneWindow::take_place(Layer layer) {
         0,
         0,
         SWP_NOMOVE | SWP_NOSIZE | SWP_NOACTIVATE | SWP_NOOWNERZORDER
+    );
+}
+
+/// Topmost is not for this to decide: take_place() may have taken it away.
+void PaneWindow::use_clicks(PaneClicks clicks) {
+    const LONG_PTR topmost = ::GetWindowLongPtrW(window(), GWL_EXSTYLE) & WS_EX_TOPMOST;
+    const auto others = static_cast<LONG_PTR>(style_for(clicks) & ~DWORD{WS_EX_TOPMOST});
+    ::SetWindowLongPtrW(window(), GWL_EXSTYLE, others | topmost);
+    ::SetWindowPos(
+        window(),
+        nullptr,
+        0,
+        0,
+        0,
+        0,
+        SWP_FRAMECHANGED | SWP_NOMOVE | SWP_NOSIZE | SWP_NOZORDER | SWP_NOACTIVATE |
+            SWP_NOOWNERZORDER
     );
 }
 

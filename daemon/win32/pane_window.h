@@ -64,6 +64,8 @@ public:
     void show_nothing(OverlayCounters& counters);
     /// Leaves the window out of what programs capture of the screen. False: the system refuses.
     bool exclude_from_capture(bool exclude);
+    /// Instead of those it was created with.
+    void use_clicks(PaneClicks clicks);
     /// Among all windows where the layer has it, now or again.
     void take_place(Layer layer);
     /// No longer topmost, or, if it should be above taskbars, below one that lies where the pane

@@ -37,7 +37,8 @@ std::wstring tip_text(const Status& status) {
     const std::string pets =
         status.pets == 1 ? std::string("1 pet") : std::to_string(status.pets) + " pets";
     std::string text = "hyrax\n" + pets + (status.paused ? ", paused" : "") +
-                       (status.hidden ? ", hidden" : "") + (status.quiet ? ", quiet" : "");
+                       (status.hidden ? ", hidden" : "") + (status.quiet ? ", quiet" : "") +
+                       (status.click_through ? ", clicks go through" : "");
     if (!status.problem.empty()) {
         text += "\n" + status.problem;
     }

@@ -20,7 +20,8 @@ Win32Desktop::Win32Desktop(Win32DesktopOptions options)
       screens_(options_.monitors(), clock_now()),
       overlay_(*this),
       bubbles_(*this, PaneClicks::pass_through),
-      pointer_(overlay_, inbox_) {}
+      pointer_(overlay_, inbox_),
+      worker_([this] { ::PostMessageW(daemon_.raw(), sprites_message, 0, 0); }) {}
 
 Result<std::unique_ptr<Win32Desktop>> Win32Desktop::create(Win32DesktopOptions options) {
     std::unique_ptr<Win32Desktop> desktop(new Win32Desktop(std::move(options)));
@@ -125,6 +126,10 @@ std::optional<Point> Win32Desktop::pointer() {
     return Point{static_cast<int>(at.x), static_cast<int>(at.y)};
 }
 
+void Win32Desktop::read_aside(std::unique_ptr<SpriteReading> reading) {
+    worker_.begin(std::move(reading));
+}
+
 std::vector<Input> Win32Desktop::wait(Ticks deadline) {
     HYRAX_CHECK(!waiting_);
     waiting_ = true;
@@ -179,6 +184,9 @@ void Win32Desktop::do_chores() {
     }
     if (scripts_spoke()) {
         inbox_.emplace_back(input::ScriptsHeard{});
+    }
+    if (worker_.done()) {
+        inbox_.emplace_back(input::SpritesRead{});
     }
     if (time >= screens_.due() && screens_.settle(read_screens(), time)) {
         overlay_.forget_pixels();

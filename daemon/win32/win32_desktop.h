@@ -4,6 +4,7 @@
 
 #include "daemon/core/desktop.h"
 #include "daemon/core/result.h"
+#include "daemon/core/sprite_worker.h"
 #include "daemon/core/statistics.h"
 #include "daemon/core/topmost.h"
 #include "daemon/win32/about_box.h"
@@ -93,6 +94,8 @@ public:
     void give_back_hotkey(HotkeyId id) override;
     std::optional<Point> pointer() override;
     WallTime wall_time() override;
+    void read_aside(std::unique_ptr<SpriteReading> reading) override;
+    std::unique_ptr<SpriteReading> sprites_read() override { return worker_.take(); }
 
 private:
     explicit Win32Desktop(Win32DesktopOptions options);
@@ -177,6 +180,7 @@ private:
     std::optional<Hotkeys> hotkeys_;
     std::optional<FrontWatch> front_;
     std::optional<MachineWatch> machine_;
+    SpriteWorker worker_;
 };
 
 }  // namespace hyrax::win32

@@ -14,6 +14,7 @@ void Win32Desktop::follow(const Conduct& conduct) {
     bubbles_.hide_from_capture(conduct.hide_from_capture);
     overlay_.use_layer(conduct.layer);
     bubbles_.use_layer(conduct.layer);
+    overlay_.use_clicks(conduct.click_through ? PaneClicks::pass_through : PaneClicks::on_pixels);
     if (conduct.let_go) {
         pointer_.give_up();
     }
@@ -111,7 +112,7 @@ void Win32Desktop::take_test_fact(TestFact fact, LPARAM value) {
 /// The time is that of the message: the inputs may be read after the machine has slept.
 void Win32Desktop::tell_facts(Ticks time) {
     facts_.capture_refused = overlay_.capture_refused();
-    const bool little = conduct_.resting || facts_.battery_saver;
+    const bool little = (conduct_.resting || facts_.battery_saver) && !conduct_.dragging;
     if (little != little_power_) {
         little_power_ = little;
         ask_for_little_power(little);

@@ -111,6 +111,7 @@ class Config(unittest.TestCase):
             "/plugins": [],
             "/plugins/catch": True,
             "/log/level": "loud",
+            "/hotkeys/gather": "ctrl/g",
         }
         for pointer, value in broken.items():
             with self.subTest(pointer):

@@ -108,7 +108,8 @@ TEST_CASE("config: every key arrives where it belongs") {
                  "max": 9, "max_spawn_rate": 2.5, "max_speed": 10, "max_throw_speed": 11, "drowsy_after": 12},
         "overlay": {"fps": 30.5, "floor": "screen", "ledges": "active",
                     "allowed_monitors": [2, "primary"], "allowed_area": [-10, 20, 300, 400],
-                    "quiet": true},
+                    "quiet": true, "click_through": true},
+        "hotkeys": {"gather": "Ctrl + Alt + G", "hide": "", "click_through": "f9"},
         "scripts": {"run": ["a.lua", "examples/b*.lua"],
                     "limits": {"load_units": 123456, "memory": 100000, "max_speed": 1.5}},
         "log": {"level": "warn"}
@@ -119,7 +120,7 @@ TEST_CASE("config: every key arrives where it belongs") {
         .restitution = 0.25,
         .air_drag = 0.5,
         .ground_friction = 0.75,
-        .rest_threshold = 7,
+        .rest_threshold = 7
     };
     expected.engine.max_pets = 9;
     expected.engine.max_spawn_rate = 2.5;
@@ -127,18 +128,18 @@ TEST_CASE("config: every key arrives where it belongs") {
     expected.limits.load_units = 123'456;
     expected.limits.memory = 100'000;
     expected.limits.max_speed = 1.5;
-    expected.start_pets = {
-        {.kind = "cat", .count = 2, .at = Vec2{1.5, -2}, .velocity = {3, 4}}, StartPets{}
-    };
+    expected.start_pets.insert(expected.start_pets.begin(), {"cat", 2, Vec2{1.5, -2}, {3, 4}});
     expected.max_throw_speed = 11;
     expected.drowsy_after = 12;
     expected.fps = 30.5;
     expected.floor = FloorEdge::screen;
     expected.ledges = LedgeMode::active;
-    expected.allowed = {
-        .monitors = {MonitorName{"2"}, MonitorName{"primary"}}, .area = Rect{-10, 20, 300, 400}
-    };
+    expected.allowed.monitors = {MonitorName{"2"}, MonitorName{"primary"}};
+    expected.allowed.area = Rect{-10, 20, 300, 400};
     expected.quiet = true;
+    expected.click_through = true;
+    expected.hotkeys[0] = KeyCombination{.ctrl = true, .alt = true, .key = Key{'g'}};
+    expected.hotkeys[4] = KeyCombination{.key = Key{static_cast<int>(Key::f1) + 8}};
     expected.scripts = {"a.lua", "examples/b*.lua"};
     expected.log_level = "warn";
     CHECK(config == expected);
@@ -146,8 +147,7 @@ TEST_CASE("config: every key arrives where it belongs") {
 
 TEST_CASE("config: comments are allowed, lists may be empty, whole numbers may be written as 1e2") {
     const Config config =
-        config_of("// hello\n{ /* a */ \"pets\": { // b\n \"start\": [], \"max\": 1e2 } } /* c */\n"
-        );
+        config_of("// a\n{ /* b */ \"pets\": { // c\n \"start\": [], \"max\": 1e2 } } /* d */\n");
     CHECK(config.start_pets.empty());
     CHECK(config.engine.max_pets == 100);
 }

@@ -40,6 +40,23 @@ TEST_CASE("engine ledges: a pet lands on a window and sleeps there") {
     CHECK_FALSE(world.engine.may_meet_ledges());
 }
 
+TEST_CASE("engine ledges: a window counts half a second before a pet comes down on it") {
+    // 320 px of fall take 0.73 s without drag.
+    EngineSettings settings;
+    settings.physics.air_drag = 1.0;
+    World world(settings);
+    world.engine.set_ledges({top_of(7, place), top_of(8, {0, 500, 300, 300})});
+    const PetId falls = world.spawn({700.0, 100.0});
+    world.run(0.1);
+    CHECK(world.engine.windows_underfoot().empty());
+    world.run(0.2);
+    CHECK(world.pet(falls).motion == Motion::airborne);
+    CHECK(world.engine.windows_underfoot() == std::vector<std::uint64_t>{7});
+    world.spawn({1200.0, 400.0});  // beside both
+    world.run(0.1);
+    CHECK(world.engine.windows_underfoot() == std::vector<std::uint64_t>{7});
+}
+
 TEST_CASE("engine ledges: a window that moves gently takes its pets along") {
     OnWindow world;
     const Ticks since = world.pet(world.id).since;

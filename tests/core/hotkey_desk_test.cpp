@@ -24,6 +24,8 @@ public:
     void use_renderer(Renderer) override {}
     std::vector<Monitor> monitors() override { return {}; }
     void show_status(const Status&) override {}
+    void read_aside(std::unique_ptr<SpriteReading>) override {}
+    std::unique_ptr<SpriteReading> sprites_read() override { return nullptr; }
     Result<void> take_hotkey(HotkeyId id, const KeyCombination& keys) override {
         if (text_of(keys) == "win+l") {
             return failure("another program has it");
@@ -51,6 +53,10 @@ struct Scene {
     void ask(const std::string& script, std::uint64_t id, const std::string& keys) {
         desk.obey(keyboard, {script, id, keys, "label"});
     }
+    void use(UserHotkey which, const std::string& keys) {
+        wishes[static_cast<std::size_t>(which)] = *parse_keys(keys);
+        desk.use(keyboard, wishes);
+    }
     std::string warnings(const std::function<void()>& act) {
         std::ostringstream text;
         const auto before = spdlog::default_logger();
@@ -67,6 +73,7 @@ struct Scene {
 
     Keyboard keyboard;
     HotkeyDesk desk;
+    UserHotkeys wishes;
 };
 
 }  // namespace
@@ -77,15 +84,12 @@ TEST_CASE("a hotkey belongs to the script that took it until that gives it back"
     scene.ask("b.lua", 3, "f5");
     const HotkeyId id = scene.keyboard.id_of("ctrl+alt+h");
     REQUIRE(id != 0);
-    const auto holder = scene.desk.holder(id);
-    REQUIRE(holder);
-    CHECK(holder->script == "a.lua");
-    CHECK(holder->id == 3);
+    CHECK(scene.desk.task(id) == HotkeyTask(PressedHotkey{"a.lua", 3}));
     scene.ask("a.lua", 4, "");
     CHECK(scene.keyboard.taken.size() == 2);
     scene.ask("a.lua", 3, "");
     CHECK(scene.keyboard.taken.size() == 1);
-    CHECK_FALSE(scene.desk.holder(id));
+    CHECK_FALSE(scene.desk.task(id));
     scene.ask("a.lua", 3, "ctrl+alt+h");
     CHECK(scene.keyboard.id_of("ctrl+alt+h") != id);  // a press that is on the way is nobody's
 }
@@ -138,7 +142,10 @@ TEST_CASE("who is not loaded any more keeps nothing, and after a loss nobody doe
     scene.desk.keep(scene.keyboard, {{"a.lua", ""}});
     CHECK(scene.keyboard.taken.size() == 1);
     CHECK(scene.keyboard.id_of("f5") != 0);
-    scene.desk.clear(scene.keyboard);
+    scene.use(UserHotkey::hide, "f8");
+    scene.desk.give_back_scripts(scene.keyboard);
+    CHECK(scene.keyboard.taken.size() == 1);
+    scene.desk.give_back_all(scene.keyboard);
     CHECK(scene.keyboard.taken.empty());
 }
 
@@ -150,4 +157,42 @@ TEST_CASE("numbers of hotkeys start again before they end") {
         scene.ask("a.lua", 2, "");
     }
     CHECK(scene.keyboard.taken.size() == 1);
+}
+
+TEST_CASE("the user's hotkeys come before those of scripts, and follow what is wished") {
+    Scene scene;
+    scene.ask("a.lua", 1, "f5");
+    CHECK(scene.warnings([&] {
+        scene.use(UserHotkey::gather, "f5");
+    }) == "a.lua loses f5 to the user\n");
+    const HotkeyId id = scene.keyboard.id_of("f5");
+    CHECK(scene.desk.task(id) == HotkeyTask(UserHotkey::gather));
+    CHECK(scene.warnings([&] {
+        scene.ask("a.lua", 1, "f5");
+    }) == "a.lua: hotkey f5: /hotkeys/gather has it already\n");
+    CHECK(scene.warnings([&] {
+        scene.use(UserHotkey::pause, "f5");
+    }) == "config.json: /hotkeys/pause: f5: /hotkeys/gather has it already\n");
+    scene.desk.keep(scene.keyboard, {});
+    scene.use(UserHotkey::pause, "f6");
+    CHECK(scene.keyboard.id_of("f5") == id);  // what has not changed is not taken anew
+    scene.use(UserHotkey::gather, "f7");
+    CHECK(scene.keyboard.id_of("f5") == 0);
+    CHECK(scene.desk.task(scene.keyboard.id_of("f7")) == HotkeyTask(UserHotkey::gather));
+    scene.desk.use(scene.keyboard, {});
+    CHECK(scene.keyboard.taken.empty());
+}
+
+TEST_CASE("what another program has is tried again by the next call, and no script's share") {
+    Scene scene;
+    for (int i = 0; i < 2; ++i) {
+        CHECK(scene.warnings([&] {
+            scene.use(UserHotkey::quiet, "win+l");
+        }) == "config.json: /hotkeys/quiet: win+l: another program has it\n");
+    }
+    scene.use(UserHotkey::quiet, "f5");
+    for (std::uint64_t i = 0; i < HotkeyDesk::most_of_a_script; ++i) {
+        scene.ask("a.lua", i, std::string("ctrl+") + static_cast<char>('a' + i));
+    }
+    CHECK(scene.keyboard.taken.size() == HotkeyDesk::most_of_a_script + 1);
 }

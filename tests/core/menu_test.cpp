@@ -175,6 +175,7 @@ TEST_CASE("menu: ticks show what is on, and choosing turns it round") {
     CHECK_FALSE(item_named(menu, "&Pause").checked);
     CHECK(request_of<request::SetPaused>(item_named(menu, "&Pause")).paused);
     CHECK(request_of<request::SetQuiet>(item_named(menu, "Qui&et")).quiet);
+    CHECK(request_of<request::SetClickThrough>(item_named(menu, "Clic&ks go through")).on);
     const MenuItems scripts = item_named(menu, "S&cripts").children;
     CHECK(scripts.at(0).checked);
     CHECK_FALSE(request_of<request::SetScript>(scripts.at(0)).on);
@@ -188,12 +189,14 @@ TEST_CASE("menu: ticks show what is on, and choosing turns it round") {
     CHECK(request_of<request::SetMonitor>(monitors.at(1)).allowed);
     CHECK(request_of<request::SetMonitor>(monitors.at(1)).monitor == "right");
 
-    state.paused = state.quiet = true;
+    state.paused = state.quiet = state.click_through = true;
     state.autostart = true;
     const MenuItems turned = tray_menu(state);
     CHECK(item_named(turned, "&Pause").checked);
     CHECK_FALSE(request_of<request::SetPaused>(item_named(turned, "&Pause")).paused);
     CHECK_FALSE(request_of<request::SetQuiet>(item_named(turned, "Qui&et")).quiet);
+    CHECK(item_named(turned, "Clic&ks go through").checked);
+    CHECK_FALSE(request_of<request::SetClickThrough>(item_named(turned, "Clic&ks go through")).on);
     const DesktopCommand off = desktop_command::SetAutostart{false};
     CHECK(std::get<DesktopCommand>(item_named(turned, "Start with &Windows").action) == off);
 }

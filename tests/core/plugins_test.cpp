@@ -198,7 +198,7 @@ TEST_CASE("plugins: what its kinds take in memory is bounded, however they share
         ++decoded;
         return Image(Size{4096, 1365});
     };
-    const std::vector<LoadedPluginKind> kinds = load_plugin_kinds(plugin, decode);
+    const std::vector<ReadKind> kinds = load_plugin_kinds(plugin, decode);
     CHECK(decoded == 4);
     REQUIRE(kinds.size() == 4);
     CHECK(kinds[2].name == "own/c");

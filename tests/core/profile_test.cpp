@@ -86,14 +86,15 @@ TEST_CASE("a script that is not there is named, with the places it was looked fo
 
 TEST_CASE("without a readable sprite set there is still a pet to show") {
     const TemporaryFolder folder;
-    const LoadedKinds none = load_kinds(profile_in(folder), no_decoder);
+    const Profile profile = profile_in(folder);
+    const LoadedKinds none = completed(load_kinds(profile, no_decoder), {}, profile);
     REQUIRE(none.sets.size() == 1);
     CHECK(none.sets[0].name == "hyrax");
     REQUIRE(none.problems.size() == 1);
     CHECK(none.problems[0].contains("no sprite set \"hyrax\""));
 
     folder.write("user/sprites/hyrax/sprite.json", "{ broken");
-    const LoadedKinds broken = load_kinds(profile_in(folder), no_decoder);
+    const LoadedKinds broken = completed(load_kinds(profile, no_decoder), {}, profile);
     CHECK(broken.sets.size() == 1);
     REQUIRE(broken.problems.size() == 2);
     CHECK(broken.problems[0].contains("sprite.json:1:"));

@@ -13,6 +13,7 @@ TEST_CASE("remembered: what was written is read again") {
         .hidden = true,
         .hidden_until = 1'767'268'800,
         .quiet = false,
+        .click_through = true,
         .monitors = {{"\\\\?\\DISPLAY#A \"x\"", false}, {"b", true}},
         .scripts_off = {"fountain.lua", "examples/j\xC3\xA4.lua"},
         .plugins = {{"catch", true}, {"weather", false}},
@@ -47,6 +48,7 @@ TEST_CASE("remembered: a missing file is an empty memory, a broken one says what
           "{\"granted\": {\"a\": [1]}}",
           "{\"monitors\": 5}",
           "{\"monitors\": {\"a\": 1}}",
+          "{\"click_through\": 1}",
           "{\"hidden_until\": -1}",
           "{\"hidden_until\": 1e300}"}) {
         CAPTURE(text);

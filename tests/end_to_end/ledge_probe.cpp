@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A window of another program for pets to stand on.
 //   ledge_probe show x y width height   Shows it and waits until it is closed.
+//   ledge_probe show-owned x y width height   The same for a window that a hidden one owns.
 //   ledge_probe move x y                Moves it, from outside.
 //   ledge_probe close                   Asks it to close.
 #include "tests/end_to_end/probe_window.h"
@@ -13,15 +14,21 @@ namespace {
 
 constexpr const wchar_t* class_name = L"hyrax ledge probe";
 
-int show(int x, int y, int width, int height) {
+int show(int x, int y, int width, int height, HWND owner = nullptr) {
     const HWND window = hyrax::probe::show_window(
-        {.name = class_name, .x = x, .y = y, .width = width, .height = height}
+        {.name = class_name, .x = x, .y = y, .width = width, .height = height, .owner = owner}
     );
     if (window == nullptr) {
         return 1;
     }
     hyrax::probe::tell("ready");
     return hyrax::probe::run();
+}
+
+HWND hidden_window() {
+    return ::CreateWindowExW(
+        0, L"STATIC", L"owner", WS_POPUP, 0, 0, 10, 10, nullptr, nullptr, nullptr, nullptr
+    );
 }
 
 int move(int x, int y) {
@@ -43,12 +50,15 @@ int main(int count, char** words) {
     if (verb == "show" && count == 6) {
         return show(number(2), number(3), number(4), number(5));
     }
+    if (verb == "show-owned" && count == 6) {
+        return show(number(2), number(3), number(4), number(5), hidden_window());
+    }
     if (verb == "move" && count == 4) {
         return move(number(2), number(3));
     }
     if (verb == "close" && count == 2) {
         return close();
     }
-    std::fputs("usage: ledge_probe show x y width height | move x y | close\n", stderr);
+    std::fputs("usage: ledge_probe show|show-owned x y width height | move x y | close\n", stderr);
     return 2;
 }

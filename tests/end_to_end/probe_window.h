@@ -25,6 +25,7 @@ struct WindowPlan {
     int height = 0;
     int brush = WHITE_BRUSH;
     DWORD extended_style = 0;
+    HWND owner = nullptr;
     WNDPROC handle = end_with_window;
 };
 
@@ -46,7 +47,7 @@ inline HWND show_window(const WindowPlan& plan) {
         plan.y,
         plan.width,
         plan.height,
-        nullptr,
+        plan.owner,
         nullptr,
         type.hInstance,
         nullptr

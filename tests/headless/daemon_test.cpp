@@ -26,13 +26,6 @@ bool knows(const Daemon& daemon, std::string_view kind) {
            daemon.engine().kinds().end();
 }
 
-const Pet& only_pet(const Daemon& daemon) {
-    const Pet* found = nullptr;
-    daemon.engine().for_each([&found](PetId, const Pet& pet) { found = &pet; });
-    REQUIRE(found != nullptr);
-    return *found;
-}
-
 Point middle_of(const Frame& frame) {
     const Rect bounds = frame.sprites.at(0).bounds();
     return {bounds.x + bounds.width / 2, bounds.y + bounds.height / 2};

@@ -150,6 +150,10 @@ TEST_CASE("command line: what the tray offers is offered here as well") {
         const auto& asked = std::get<DaemonCommandLine>(one).common.requests.at(0);
         CHECK(std::get<request::SetQuiet>(asked).quiet == quiet);
     }
+    const auto through = parse_daemon_arguments({"--click-through", "on"});
+    REQUIRE(std::holds_alternative<DaemonCommandLine>(through));
+    const std::vector<Request>& wish = std::get<DaemonCommandLine>(through).common.requests;
+    CHECK(std::get<request::SetClickThrough>(wish.at(0)).on);
     const auto wrong = parse_daemon_arguments({"--quiet", "perhaps"});
     REQUIRE(std::holds_alternative<Farewell>(wrong));
     CHECK(std::get<Farewell>(wrong).exit_code == 2);

@@ -12,13 +12,6 @@ using namespace hyrax;
 
 namespace {
 
-const Pet& only_pet(const Daemon& daemon) {
-    const Pet* found = nullptr;
-    daemon.engine().for_each([&found](PetId, const Pet& pet) { found = &pet; });
-    REQUIRE(found != nullptr);
-    return *found;
-}
-
 Vec2 feet(const Daemon& daemon) {
     const Pet& pet = only_pet(daemon);
     return pet.position() + Vec2{0.0, daemon.engine().kinds()[pet.kind].box.height * 1.0};

@@ -8,7 +8,9 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <atomic>
 #include <random>
+#include <semaphore>
 
 using namespace hyrax;
 
@@ -171,4 +173,57 @@ TEST_CASE("the process knows its memory and its descriptors") {
     CHECK(use.private_bytes > 100'000);
     CHECK(use.private_bytes < use.resident_bytes);
     CHECK(use.handles >= 3);
+}
+
+TEST_CASE("frames go on while pictures are decoded, and scripts wait for them") {
+    const TemporaryFolder folder;
+    folder.write("config.json", R"({"physics": {"gravity": 0, "air_drag": 1, "restitution": 1},
+        "pets": {"start": [{"x": 100, "y": 100, "vx": 500}]}})");
+    std::atomic<bool> slow = false;
+    std::counting_semaphore<> decoded{0};
+    RealTimeDesktop desktop({screen({0, 0, 1920, 1080})}, never);
+    DaemonOptions options{
+        .profile =
+            {
+                .config = folder.path() / "config.json",
+                .user = folder.path(),
+                .shipped = HYRAX_SOURCE_DIR,
+                .more_scripts = {},
+            },
+        .decode =
+            [&](std::span<const std::byte> file) {
+                if (slow) {
+                    decoded.acquire();
+                }
+                return decode_png(file);
+            },
+        .scripts = make_script_host({}),
+        .trace = {},
+        .requests = {},
+        .fps = {},
+    };
+    Daemon daemon(desktop, std::move(options));
+    const auto run_until = [&](const auto& done) {
+        const Ticks patience = desktop.now() + 20 * ticks_per_second;
+        while (!done() && desktop.now() < patience) {
+            daemon.run_due();
+            for (const Input& input : desktop.wait(desktop.now() + 5 * ticks_per_ms)) {
+                daemon.handle(input);
+            }
+        }
+        return done();
+    };
+    const auto frames = [&] { return daemon.figures().frames; };
+    REQUIRE(run_until([&] { return frames() > 2; }));
+    slow = true;
+    folder.write("scripts/late.lua", "hyrax.spawn{}");
+    daemon.handle(Request{request::Reload{}});
+    const std::uint64_t before = frames();
+    REQUIRE(run_until([&] { return frames() > before + 20; }));
+    CHECK(daemon.script_states().empty());
+    daemon.handle(Request{request::Reload{}});  // once more, from the start
+    slow = false;
+    decoded.release(8);
+    CHECK(run_until([&] { return daemon.engine().size() == 2; }));
+    CHECK(daemon.script_states().size() == 1);
 }

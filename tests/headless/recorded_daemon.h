@@ -3,10 +3,13 @@
 #pragma once
 
 #include "daemon/core/daemon.h"
+#include "daemon/core/files.h"
 #include "daemon/headless/headless_desktop.h"
 #include "daemon/headless/png_file.h"
 #include "daemon/script/script_host.h"
 #include "tests/support/temporary_folder.h"
+
+#include <doctest/doctest.h>
 
 #include <memory>
 #include <optional>
@@ -80,5 +83,17 @@ public:
     std::unique_ptr<ControlPort> control;
     std::optional<Daemon> daemon;
 };
+
+/// What it remembers.
+inline std::string state_of(const RecordedDaemon& recorded) {
+    return read_text_file(recorded.folder.path() / "state.json", 1U << 20U).value_or("none");
+}
+
+inline const Pet& only_pet(const Daemon& daemon) {
+    const Pet* found = nullptr;
+    daemon.engine().for_each([&found](PetId, const Pet& pet) { found = &pet; });
+    REQUIRE(found != nullptr);
+    return *found;
+}
 
 }  // namespace hyrax

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The whole daemon: what scripts see and ask of the system.
+// The whole daemon: what scripts see and ask of the system, and what users ask of it.
 #include "daemon/core/remote_script_host.h"
 #include "tests/core/fake_script_channel.h"
 #include "tests/headless/recorded_daemon.h"
@@ -135,6 +135,84 @@ TEST_CASE("nobody hears a hotkey while the world stands still, nor afterwards") 
     recorded.at(3.0, Request{request::SetPaused{false}});
     recorded.run();
     CHECK(spawned(recorded) == 0);
+}
+
+TEST_CASE("the user's hotkeys are heard in any state, and change with config.json") {
+    RecordedDaemon recorded(20.0);
+    recorded.config(R"({"pets": {"start": [{"x": 1900, "y": 0}]}, "hotkeys":
+        {"gather": "f5", "hide": "f6", "pause": "f7", "quiet": "f8", "click_through": "f9"}})");
+    const auto status = [&] { return recorded.desktop.statuses().back(); };
+    recorded.at(1.0, input::HotkeyPressed{2});
+    recorded.look(1.5, [&](const Daemon&) {
+        CHECK(keys_of(recorded) == "f5 f6 f7 f8 f9 ");
+        CHECK(status().hidden);
+    });
+    recorded.at(2.0, input::HotkeyPressed{2});
+    recorded.at(2.0, input::HotkeyPressed{3});
+    recorded.look(2.5, [&](const Daemon&) {
+        CHECK_FALSE(status().hidden);
+        CHECK(status().paused);
+    });
+    for (const HotkeyId id : {HotkeyId{3}, HotkeyId{4}, HotkeyId{5}}) {
+        recorded.at(3.0, input::HotkeyPressed{id});
+    }
+    recorded.look(3.5, [&](const Daemon&) {
+        CHECK_FALSE(status().paused);
+        CHECK(status().quiet);
+        CHECK(status().click_through);
+    });
+    recorded.at(4.0, input::HotkeyPressed{4});
+    recorded.at(4.0, input::HotkeyPressed{5});
+    recorded.at(8.0, input::HotkeyPressed{1});
+    recorded.look(8.2, [&](const Daemon& daemon) {
+        CHECK_FALSE(status().quiet);
+        CHECK_FALSE(status().click_through);
+        daemon.engine().for_each([](PetId, const Pet& pet) { CHECK(pet.position().x < 1100.0); });
+    });
+    recorded.change_file(
+        9.0, "config.json", R"({"hotkeys": {"gather": "ctrl+alt+f5", "hide": "f6"}})"
+    );
+    recorded.look(9.5, [&](const Daemon&) { CHECK(keys_of(recorded) == "f6 ctrl+alt+f5 "); });
+    recorded.change_file(10.0, "config.json", R"({"hotkeys": {"gather": "g"}})");
+    recorded.look(10.5, [&](const Daemon&) {
+        CHECK(keys_of(recorded) == "f6 ctrl+alt+f5 ");
+        CHECK(status().problem.contains("('g' needs ctrl, alt or win beside it), got \"g\""));
+    });
+    recorded.run();
+    CHECK(recorded.desktop.hotkeys().empty());
+}
+
+TEST_CASE("click-through: the menu's word against the config's, a held pet is let go") {
+    RecordedDaemon recorded(12.0);
+    recorded.config(
+        R"({"overlay": {"click_through": true}, "pets": {"start": [{"x": 900, "y": 0}]}})"
+    );
+    recorded.look(1.0, [&](const Daemon&) {
+        CHECK(recorded.desktop.conduct().click_through);
+        CHECK(recorded.desktop.statuses().back().click_through);
+    });
+    recorded.at(2.0, Request{request::SetClickThrough{false}});
+    recorded.look(7.0, [&](const Daemon& daemon) {
+        CHECK_FALSE(recorded.desktop.conduct().click_through);
+        CHECK_FALSE(recorded.desktop.conduct().let_go);
+        const Rect bounds = daemon.frame().sprites.at(0).bounds();
+        const Point middle{bounds.x + bounds.width / 2, bounds.y + bounds.height / 2};
+        const Ticks time = from_seconds(7.1);
+        recorded.desktop.add({time, input::Pressed{middle, Button::left, time}});
+    });
+    recorded.look(7.2, [&](const Daemon& daemon) {
+        CHECK(only_pet(daemon).motion == Motion::held);
+        CHECK(recorded.desktop.conduct().dragging);
+        CHECK(state_of(recorded).contains("\"click_through\": false"));
+    });
+    recorded.at(8.0, Request{request::SetClickThrough{true}});
+    recorded.look(8.1, [&](const Daemon& daemon) {
+        CHECK(only_pet(daemon).motion != Motion::held);
+        CHECK(recorded.desktop.conduct().let_go);
+        CHECK_FALSE(recorded.desktop.conduct().dragging);
+    });
+    recorded.run();
+    CHECK_FALSE(state_of(recorded).contains("click_through"));
 }
 
 TEST_CASE("notices are shown with the script's name, unless somebody must not be disturbed") {

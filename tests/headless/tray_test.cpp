@@ -26,13 +26,6 @@ const std::vector<Monitor> two{
      .id = "the right one"},
 };
 
-const Pet& only_pet(const Daemon& daemon) {
-    const Pet* found = nullptr;
-    daemon.engine().for_each([&found](PetId, const Pet& pet) { found = &pet; });
-    REQUIRE(found != nullptr);
-    return *found;
-}
-
 std::optional<MenuAction> action_of(const MenuItems& menu, std::string_view text) {
     for (const MenuItem& item : menu) {
         if (item.text == text) {
@@ -57,10 +50,6 @@ bool is_ticked(const MenuItems& menu, std::string_view text) {
     return std::ranges::any_of(menu, [text](const MenuItem& item) {
         return (item.text == text && item.checked) || is_ticked(item.children, text);
     });
-}
-
-std::string state_of(const RecordedDaemon& recorded) {
-    return read_text_file(recorded.folder.path() / "state.json", 1U << 20U).value_or("none");
 }
 
 }  // namespace

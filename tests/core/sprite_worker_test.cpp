@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/core/sprite_worker.h"
+
+#include "daemon/core/plugins.h"
+#include "daemon/core/png_header.h"
+#include "tests/support/png_header.h"
+#include "tests/support/temporary_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <semaphore>
+#include <string>
+
+using namespace hyrax;
+
+namespace {
+
+std::string sprite_json(int width, int height) {
+    const std::string size =
+        "\"width\": " + std::to_string(width) + ", \"height\": " + std::to_string(height);
+    return "{\"sheet\": \"sheet.png\", \"cell\": {" + size + "}, \"box\": {\"x\": 0, \"y\": 0, " +
+           size + "}, \"animations\": {\"idle\": {\"frames\": [{\"cell\": 0, \"ms\": 100}]}}}";
+}
+
+void write_set(const TemporaryFolder& folder, const std::string& place, Size size) {
+    folder.write(place + "/sprite.json", sprite_json(size.width, size.height));
+    folder.write(place + "/sheet.png", png_header(size.width, size.height));
+}
+
+Profile profile_in(const TemporaryFolder& folder) {
+    return {
+        .config = folder.path() / "user" / "config.json",
+        .user = folder.path() / "user",
+        .shipped = folder.path() / "shipped",
+        .more_scripts = {},
+    };
+}
+
+}  // namespace
+
+TEST_CASE(
+    "sprite reading: all sheets together have a limit, which counts before a picture is decoded"
+) {
+    const TemporaryFolder folder;
+    constexpr Size large{4096, 4096};
+    write_set(folder, "user/sprites/a", large);
+    write_set(folder, "user/sprites/b", {4096, 4095});
+    write_set(folder, "user/sprites/c", {4096, 2});
+    write_set(folder, "user/sprites/d", {64, 64});
+    write_set(folder, "own/pet", {64, 64});
+    Plugin plugin{.folder = folder.path() / "own", .id = "own"};
+    plugin.kinds.push_back({"pet", "pet/sprite.json"});
+    std::vector<PluginEntry> plugins(1);
+    plugins[0] = {.id = "own", .plugin = plugin, .state = PluginState::on};
+    std::vector<Size> decoded;
+    const ImageDecoder decode = [&](std::span<const std::byte> file) -> Result<Image> {
+        decoded.push_back(*png_size(file));
+        return Image(decoded.back());
+    };
+    SpriteReading reading(profile_in(folder), plugins, decode);
+    reading.run();
+    const std::vector<ReadKind> kinds = reading.take();
+    REQUIRE(kinds.size() == 5);
+    CHECK(kinds[0].set);
+    CHECK(kinds[1].set);
+    REQUIRE_FALSE(kinds[2].set);
+    CHECK(kinds[2].set.error().message.ends_with(
+        "sheet.png: has 8192 pixels, but there is room for 4096 more: all sheets together have at "
+        "most 33554432"
+    ));
+    CHECK(kinds[3].set);
+    CHECK(kinds[4].name == "own/pet");
+    REQUIRE_FALSE(kinds[4].set);
+    CHECK(kinds[4].set.error().message.contains("there is room for 0 more"));
+    CHECK(decoded.size() == 3);
+}
+
+TEST_CASE("sprite reading: a plugin that is off is not read, and what a decoder throws ends nothing"
+) {
+    const TemporaryFolder folder;
+    write_set(folder, "user/sprites/a", {64, 64});
+    write_set(folder, "own/pet", {64, 64});
+    Plugin plugin{.folder = folder.path() / "own", .id = "own"};
+    plugin.kinds.push_back({"pet", "pet/sprite.json"});
+    std::vector<PluginEntry> plugins(1);
+    plugins[0] = {.id = "own", .plugin = plugin, .state = PluginState::off};
+    SpriteReading one(profile_in(folder), plugins, [](std::span<const std::byte>) -> Result<Image> {
+        return Image(Size{64, 64});
+    });
+    one.run();
+    CHECK(one.take().size() == 1);
+    SpriteReading other(
+        profile_in(folder),
+        plugins,
+        [](std::span<const std::byte>) -> Result<Image> { throw std::bad_alloc(); }
+    );
+    other.run();
+    const std::vector<ReadKind> kinds = other.take();
+    REQUIRE(kinds.size() == 1);
+    REQUIRE_FALSE(kinds[0].set);
+    CHECK(kinds[0].set.error().message.starts_with("sprite sets cannot be read: "));
+}
+
+TEST_CASE("sprite worker: it says when it is done, gives the reading back, and takes the next one"
+) {
+    const TemporaryFolder folder;
+    write_set(folder, "user/sprites/a", {64, 64});
+    std::binary_semaphore go{0};
+    std::counting_semaphore<> woken{0};
+    const ImageDecoder slow = [&go](std::span<const std::byte>) -> Result<Image> {
+        go.acquire();
+        return Image(Size{64, 64});
+    };
+    SpriteWorker worker([&woken] { woken.release(); });
+    CHECK(worker.take() == nullptr);
+    for (int i = 0; i < 3; ++i) {
+        worker.begin(std::make_unique<SpriteReading>(
+            profile_in(folder), std::span<const PluginEntry>(), slow
+        ));
+        CHECK_FALSE(worker.done());
+        CHECK(worker.take() == nullptr);
+        go.release();
+        woken.acquire();
+        CHECK(worker.done());
+        const std::unique_ptr<SpriteReading> done = worker.take();
+        REQUIRE(done != nullptr);
+        CHECK(done->take().size() == 1);
+        CHECK_FALSE(worker.done());
+        CHECK(worker.take() == nullptr);
+    }
+    // One that nobody takes is waited for.
+    worker.begin(
+        std::make_unique<SpriteReading>(profile_in(folder), std::span<const PluginEntry>(), slow)
+    );
+    go.release();
+}
