@@ -30,13 +30,9 @@ Daemon::Daemon(Desktop& desktop, DaemonOptions options)
     recall();
     read_config();
     read_plugins();
-    note_stamps();
-    // Nothing is seen yet that could wait.
-    SpriteReading sprites(profile_, plugins_, decode_);
-    sprites.run();
-    use_kinds(sprites.take());
+    read_kinds();
     use_monitors();
-    load_scripts_now();
+    load_wanted_scripts();
 }
 
 void Daemon::run() {

@@ -170,12 +170,15 @@ private:
     bool is_allowed(std::size_t monitor) const;
 
     // daemon_profile.cpp
-    void read_config();
-    void begin_reading_kinds();
+    bool read_config();
+    bool kinds_changed() const;
     void note_stamps();
-    void use_kinds(std::vector<ReadKind> kinds);
+    void begin_reading_kinds();
+    void read_kinds();
+    void use_kinds(Result<std::vector<ReadKind>> kinds);
+    void follow_files();
     void read_scripts();
-    void load_scripts_now();
+    void load_wanted_scripts();
     void use_monitors();
 
     // daemon_plugins.cpp
@@ -238,9 +241,9 @@ private:
     std::vector<PluginEntry> plugins_;
     std::string plugin_kinds_;       ///< stamp_of_kinds()
     std::string sprite_files_;       ///< stamp_of_folder() of the user's.
-    bool reading_kinds_ = false;     ///< Scripts wait for them.
-    bool kinds_outdated_ = false;    ///< They have changed since that began.
-    bool scripts_outdated_ = false;  ///< All are to start anew.
+    bool reading_aside_ = false;     ///< The desktop has a reading.
+    bool kinds_on_the_way_ = false;  ///< What it reads counts: nobody has read them since.
+    bool all_scripts_anew_ = false;  ///< Though their texts are the same.
     std::string plugins_ask_;
     Remembered remembered_;
     Remembered saved_;  ///< As state.json has it.

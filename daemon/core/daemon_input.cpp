@@ -10,6 +10,9 @@
 namespace hyrax {
 
 void Daemon::handle(const Input& input) {
+    if (ended_) {
+        return;
+    }
     std::visit([this](const auto& which) { on(which); }, input);
     changed_ = true;
 }
@@ -76,7 +79,7 @@ void Daemon::on(const input::FrameLost&) {
 
 void Daemon::on(const input::FilesChanged&) {
     read_config();
-    read_scripts();
+    follow_files();
 }
 
 void Daemon::on(const input::ScriptsHeard&) {
@@ -118,11 +121,14 @@ void Daemon::carry_out(const request::RemoveAll&) {
 }
 
 void Daemon::carry_out(const request::Reload&) {
-    read_config();
-    hotkeys_.use(desktop_, config_.hotkeys);
-    scripts_outdated_ = true;
+    if (!read_config()) {
+        hotkeys_.use(desktop_, config_.hotkeys);  // Those that could not be had may be free now.
+    }
     read_plugins();
-    begin_reading_kinds();
+    read_kinds();
+    scripts_.renew();
+    all_scripts_anew_ = true;
+    load_wanted_scripts();
 }
 
 void Daemon::carry_out(const request::Quit&) {

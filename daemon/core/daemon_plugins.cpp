@@ -36,6 +36,10 @@ void Daemon::read_plugins() {
     for (const std::string& id : before) {
         if (!now.contains(id)) {
             scripts_.retire(engine_, id);
+            // Whatever comes before the next load, that differs: its pets may come again.
+            std::erase_if(sources_, [&id](const ScriptSource& source) {
+                return source.name == id;
+            });
         }
     }
 }

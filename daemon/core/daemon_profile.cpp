@@ -14,7 +14,8 @@
 
 namespace hyrax {
 
-void Daemon::read_config() {
+/// True if something else holds from now on.
+bool Daemon::read_config() {
     const Result<LoadedConfig> loaded = load_config(profile_.config);
     if (!loaded) {
         // The same broken text is told once, however often the file is touched.
@@ -23,11 +24,11 @@ void Daemon::read_config() {
             spdlog::error("the settings stay as they were");
         }
         config_problem_ = loaded.error().message;
-        return;
+        return false;
     }
     config_problem_.clear();
     if (last_read_ == loaded->config) {
-        return;
+        return false;
     }
     last_read_ = loaded->config;
     for (const std::string& warning : loaded->warnings) {
@@ -36,7 +37,7 @@ void Daemon::read_config() {
     if (loaded->config.limits != config_.limits) {
         // Scripts start again under them.
         scripts_.set_limits(loaded->config.limits);
-        sources_.clear();
+        all_scripts_anew_ = true;
     }
     const bool places_moved =
         loaded->config.floor != config_.floor || loaded->config.allowed != config_.allowed;
@@ -65,21 +66,26 @@ void Daemon::read_config() {
     if (ledges_changed) {
         read_windows();
     }
+    return true;
 }
 
-void Daemon::begin_reading_kinds() {
-    if (std::exchange(reading_kinds_, true)) {
-        kinds_outdated_ = true;
-        return;
-    }
-    note_stamps();
-    desktop_.read_aside(std::make_unique<SpriteReading>(profile_, plugins_, decode_));
+bool Daemon::kinds_changed() const {
+    return stamp_of_folder(profile_.user / "sprites") != sprite_files_ ||
+           stamp_of_kinds(plugins_) != plugin_kinds_;
 }
 
-// Before they are read: who writes meanwhile has them read again.
+/// Before they are read: what is written meanwhile is read once more.
 void Daemon::note_stamps() {
     sprite_files_ = stamp_of_folder(profile_.user / "sprites");
     plugin_kinds_ = stamp_of_kinds(plugins_);
+}
+
+/// Files change at any time, and pets may be in the air: nobody waits for the pictures.
+void Daemon::begin_reading_kinds() {
+    reading_aside_ = true;
+    kinds_on_the_way_ = true;
+    note_stamps();
+    desktop_.read_aside(std::make_unique<SpriteReading>(profile_, plugins_, decode_));
 }
 
 void Daemon::on(const input::SpritesRead&) {
@@ -87,42 +93,68 @@ void Daemon::on(const input::SpritesRead&) {
     if (done == nullptr) {
         return;
     }
-    reading_kinds_ = false;
-    if (std::exchange(kinds_outdated_, false)) {
-        begin_reading_kinds();
-        return;
+    reading_aside_ = false;
+    if (std::exchange(kinds_on_the_way_, false)) {
+        use_kinds(done->take());
     }
-    use_kinds(done->take());
-    load_scripts_now();
+    follow_files();
 }
 
-void Daemon::use_kinds(std::vector<ReadKind> kinds) {
-    LoadedKinds loaded = completed(std::move(kinds), std::exchange(sets_, {}), profile_);
+/// What the user asks for is done, and can be told, when this is.
+void Daemon::read_kinds() {
+    kinds_on_the_way_ = false;
+    note_stamps();
+    SpriteReading reading(profile_, plugins_, decode_);
+    reading.run();
+    use_kinds(reading.take());
+}
+
+void Daemon::use_kinds(Result<std::vector<ReadKind>> kinds) {
+    if (!kinds) {
+        spdlog::error("{}", kinds.error().message);
+        kind_problems_ = {kinds.error().message};
+        return;
+    }
+    // The first ones replace a placeholder, which is nothing to fall back on.
+    std::vector<SpriteSet> before = std::exchange(sets_, {});
+    if (edition_ == 0) {
+        before.clear();
+    }
+    LoadedKinds loaded = completed(*std::move(kinds), std::move(before), profile_);
     for (const std::string& problem : loaded.problems) {
         spdlog::error("{}", problem);
     }
     kind_problems_ = std::move(loaded.problems);
-    // Frames point into the old sets.
+    // Frames point into the old sets; what is seen of them is to be replaced, be it by nothing.
     frame_ = {};
+    frame_lost_ = true;
     ++edition_;
     atlas_.clear();
     sets_ = std::move(loaded.sets);
     engine_.set_kinds(kinds_of(sets_));
 }
 
-// A script may spawn a kind that its plugin brings: it waits for the pictures.
-void Daemon::read_scripts() {
+/// A script may spawn a kind that has come with it: it waits for the pictures.
+void Daemon::follow_files() {
     read_plugins();
-    if (stamp_of_folder(profile_.user / "sprites") != sprite_files_ ||
-        stamp_of_kinds(plugins_) != plugin_kinds_) {
+    const bool changed = kinds_changed();
+    if (changed && !reading_aside_) {
         begin_reading_kinds();
     }
-    if (!reading_kinds_) {
-        load_scripts_now();
+    if (!changed && !kinds_on_the_way_) {
+        load_wanted_scripts();
     }
 }
 
-void Daemon::load_scripts_now() {
+void Daemon::read_scripts() {
+    read_plugins();
+    if (kinds_on_the_way_ || kinds_changed()) {
+        read_kinds();
+    }
+    load_wanted_scripts();
+}
+
+void Daemon::load_wanted_scripts() {
     LoadedScripts loaded = load_scripts(profile_, config_.scripts);
     if (loaded.problems != script_problems_) {
         for (const std::string& problem : loaded.problems) {
@@ -139,11 +171,7 @@ void Daemon::load_scripts_now() {
         return remembered_.scripts_off.contains(source.name);
     });
     std::ranges::move(plugin_sources(), std::back_inserter(loaded.sources));
-    if (std::exchange(scripts_outdated_, false)) {
-        scripts_.renew();
-        sources_.clear();
-    }
-    if (loaded.sources != sources_) {
+    if (std::exchange(all_scripts_anew_, false) || loaded.sources != sources_) {
         sources_ = std::move(loaded.sources);
         hotkeys_.keep(desktop_, sources_);
         std::vector<ScriptSource> with_stores = sources_;

@@ -85,17 +85,15 @@ const LedgeSegment* Engine::ledge_under(const Pet& pet) const {
 }
 
 const LedgeSegment* Engine::ledge_ahead(const Pet& pet) const {
-    if (ledges_.empty() || pet.motion == Motion::held || pet.body.mode() != Mode::air ||
-        rules_.integrator != Integrator::event_driven ||
-        pet.body.next_event() > own_time(pet) + soon) {
+    if (ledges_.empty() || !pet.started || pet.frozen() || pet.motion == Motion::held ||
+        pet.body.mode() != Mode::air || pet.body.next_event() > own_time(pet) + soon) {
         return nullptr;
     }
-    const BodyState state = state_in_space(pet);
-    const Contact next = next_contact(state, rules_.law, around(pet).space);
+    const Contact next = next_contact_of(pet);
     if (next.kind != ContactKind::floor) {
         return nullptr;
     }
-    const Vec2 there = free_motion(state, rules_.law, next.time).position;
+    const Vec2 there = free_motion(state_in_space(pet), rules_.law, next.time).position;
     return ledge_at(pet, {there.x, next.side});
 }
 

@@ -26,7 +26,7 @@ struct DesktopWindow {
     bool active = false;   ///< In the foreground.
     bool visible = true;   ///< Shown, not minimised, not cloaked by the system.
     bool solid = true;     ///< Catches the mouse: false for our own windows and for overlays.
-    /// False for tool windows without one and for what a hidden window owns: menus, bars, tips.
+    /// False for menus, bars and tips: tool windows, and what a hidden window owns, without one.
     bool has_caption = true;
     bool maximised = false;
     bool operator==(const DesktopWindow&) const = default;

@@ -68,14 +68,23 @@ std::vector<ReadKind> load_kinds(const Profile& profile, const ImageDecoder& dec
 
     std::vector<ReadKind> kinds;
     std::size_t room = most_sheet_pixels;
-    for (const auto& [name, folder] : folders) {
+    const auto read = [&](const std::string& name, const fs::path& folder) {
         Result<SpriteSet> set = load_sprite_set(folder, decode, room);
         if (set) {
             set->name = name;
             room -= set->sheet.pixels.size();
         }
         kinds.push_back({name, std::move(set)});
+    };
+    // Whoever else wants room, there is always a hyrax.
+    if (const auto first = folders.find("hyrax"); first != folders.end()) {
+        read(first->first, first->second);
+        folders.erase(first);
     }
+    for (const auto& [name, folder] : folders) {
+        read(name, folder);
+    }
+    std::ranges::sort(kinds, {}, &ReadKind::name);
     return kinds;
 }
 
@@ -83,6 +92,10 @@ LoadedKinds completed(
     std::vector<ReadKind> read, std::vector<SpriteSet> before, const Profile& profile
 ) {
     LoadedKinds loaded;
+    std::size_t room = most_sheet_pixels;
+    for (const ReadKind& kind : read) {
+        room -= kind.set ? kind.set->sheet.pixels.size() : 0;
+    }
     for (ReadKind& kind : read) {
         if (kind.set) {
             loaded.sets.push_back(*std::move(kind.set));
@@ -90,7 +103,8 @@ LoadedKinds completed(
         }
         loaded.problems.push_back(kind.set.error().message);
         const auto old = std::ranges::find(before, kind.name, &SpriteSet::name);
-        if (old != before.end()) {
+        if (old != before.end() && old->sheet.pixels.size() <= room) {
+            room -= old->sheet.pixels.size();
             loaded.sets.push_back(std::move(*old));
             before.erase(old);
         }

@@ -36,11 +36,12 @@ struct LoadedKinds {
 };
 
 /// Reads every folder with a sprite.json in user/sprites and shipped/config/sprites, sorted by
-/// name. Sets fail for which the sheets of those before leave no room.
+/// name. Sets fail for which the sheets of "hyrax" and of those before leave no room.
 std::vector<ReadKind> load_kinds(const Profile& profile, const ImageDecoder& decode);
 
 /// What is used from now on: a set that could not be read stays as it was `before`, or is left out
-/// if it is new; where there is no "hyrax", a placeholder takes its place.
+/// if it is new, or if most_sheet_pixels leaves no room for what it was; where there is no "hyrax",
+/// a placeholder takes its place.
 LoadedKinds completed(
     std::vector<ReadKind> read, std::vector<SpriteSet> before, const Profile& profile
 );

@@ -9,6 +9,13 @@
 #include <utility>
 
 namespace hyrax {
+namespace {
+
+std::size_t pixels_of(const ReadKind& kind) {
+    return kind.set ? kind.set->sheet.pixels.size() : 0;
+}
+
+}  // namespace
 
 SpriteReading::SpriteReading(
     Profile profile, std::span<const PluginEntry> plugins, ImageDecoder decode
@@ -21,29 +28,27 @@ SpriteReading::SpriteReading(
     }
 }
 
-// A set that was read already stays read; the daemon goes on with what it had of the others.
 void SpriteReading::run() noexcept {
     try {
-        read();
+        kinds_ = read();
     } catch (const std::exception& error) {
-        kinds_.push_back(
-            {"hyrax", failure(fmt::format("sprite sets cannot be read: {}", error.what()))}
-        );
+        kinds_ = failure(fmt::format("sprite sets cannot be read: {}", error.what()));
     }
 }
 
-void SpriteReading::read() {
-    kinds_ = load_kinds(profile_, decode_);
+std::vector<ReadKind> SpriteReading::read() const {
+    std::vector<ReadKind> kinds = load_kinds(profile_, decode_);
     std::size_t room = most_sheet_pixels;
-    for (const ReadKind& kind : kinds_) {
-        room -= kind.set ? kind.set->sheet.pixels.size() : 0;
+    for (const ReadKind& kind : kinds) {
+        room -= pixels_of(kind);
     }
     for (const Plugin& plugin : plugins_) {
         for (ReadKind& kind : load_plugin_kinds(plugin, decode_, room)) {
-            room -= kind.set ? kind.set->sheet.pixels.size() : 0;
-            kinds_.push_back(std::move(kind));
+            room -= pixels_of(kind);
+            kinds.push_back(std::move(kind));
         }
     }
+    return kinds;
 }
 
 }  // namespace hyrax

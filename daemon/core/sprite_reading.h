@@ -22,17 +22,17 @@ public:
 
     /// Reads the files, once, on any thread.
     void run() noexcept;
-    /// What run() has read: the profile's sets by name, then those of plugins. Together their
+    /// What run() has read, once: the profile's sets by name, then those of plugins. Together their
     /// sheets have at most most_sheet_pixels; sets without room left fail.
-    std::vector<ReadKind> take() { return std::move(kinds_); }
+    [[nodiscard]] Result<std::vector<ReadKind>> take() { return std::move(kinds_); }
 
 private:
-    void read();
+    std::vector<ReadKind> read() const;
 
     Profile profile_;
     std::vector<Plugin> plugins_;
     ImageDecoder decode_;
-    std::vector<ReadKind> kinds_;
+    Result<std::vector<ReadKind>> kinds_;
 };
 
 }  // namespace hyrax

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -288,9 +289,7 @@ Result<Image> load_sheet(
     return sheet;
 }
 
-}  // namespace
-
-Result<SpriteSet> load_sprite_set(
+Result<SpriteSet> read_sprite_set(
     const fs::path& folder, const ImageDecoder& decode, std::size_t room
 ) {
     const fs::path file = folder / "sprite.json";
@@ -319,6 +318,19 @@ Result<SpriteSet> load_sprite_set(
     }
     set->sheet = *std::move(sheet);
     return set;
+}
+
+}  // namespace
+
+// One set without memory for its picture is no reason to lose the others.
+Result<SpriteSet> load_sprite_set(
+    const fs::path& folder, const ImageDecoder& decode, std::size_t room
+) {
+    try {
+        return read_sprite_set(folder, decode, room);
+    } catch (const std::exception& error) {
+        return failure(fmt::format("{}: cannot be read: {}", utf8_from_path(folder), error.what()));
+    }
 }
 
 }  // namespace hyrax

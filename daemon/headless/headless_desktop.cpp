@@ -52,6 +52,11 @@ void HeadlessDesktop::watch_windows(const WindowInterest& interest) {
 void HeadlessDesktop::read_aside(std::unique_ptr<SpriteReading> reading) {
     reading_ = std::move(reading);
     reading_->run();
+    read_at_ = now_ + reading_time_;
+}
+
+std::unique_ptr<SpriteReading> HeadlessDesktop::sprites_read() {
+    return now_ >= read_at_ ? std::move(reading_) : nullptr;
 }
 
 // When the next change will be told.
@@ -64,17 +69,18 @@ std::vector<Input> HeadlessDesktop::wait(Ticks deadline) {
     if (before_time_moves_ && before_time_moves_()) {
         return {input::ScriptsHeard{}};
     }
-    if (reading_) {
-        return {input::SpritesRead{}};
-    }
     const Ticks input_time = next_ < inputs_.size() ? inputs_[next_].time : never;
     const Ticks window_time = window_change();
-    const Ticks wake = std::min({deadline, input_time, window_time, end_});
+    const Ticks read_time = reading_ ? std::max(read_at_, now_) : never;
+    const Ticks wake = std::min({deadline, input_time, window_time, read_time, end_});
     now_ = std::max(now_, wake == never ? now_ : wake);
     if (wake == never || (now_ >= end_ && input_time > end_)) {
         return {Request{request::Quit{}}};
     }
     std::vector<Input> due;
+    if (read_time <= now_) {
+        due.emplace_back(input::SpritesRead{});
+    }
     if (window_time <= now_) {
         told_ = now_;
         due.emplace_back(input::WindowsChanged{});

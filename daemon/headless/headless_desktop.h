@@ -84,9 +84,10 @@ public:
     }
 
     void follow(const Conduct& conduct) override { conduct_ = conduct; }
-    /// Reads at once; wait() says so before time moves on.
+    /// How long reading sprite sets takes, none by default.
+    void set_reading_time(Ticks span) { reading_time_ = span; }
     void read_aside(std::unique_ptr<SpriteReading> reading) override;
-    std::unique_ptr<SpriteReading> sprites_read() override { return std::move(reading_); }
+    std::unique_ptr<SpriteReading> sprites_read() override;
 
     const Conduct& conduct() const { return conduct_; }
     Renderer renderer() const { return renderer_; }
@@ -114,6 +115,8 @@ private:
     std::vector<Monitor> monitors_;
     std::function<bool()> before_time_moves_;
     std::unique_ptr<SpriteReading> reading_;
+    Ticks reading_time_ = 0;
+    Ticks read_at_ = never;  ///< When SpritesRead comes.
     std::vector<TimedWindows> windows_;
     WindowInterest interest_;
     Ticks told_ = 0;                  // Changes of windows up to here are known to the daemon.

@@ -23,7 +23,7 @@ bool is_ours(HWND window) {
     return process == ::GetCurrentProcessId();
 }
 
-/// What a hidden window owns is a helper of some program, not what people take for a window.
+/// Without a caption, what a hidden window owns is not what people take for a window.
 bool has_shown_owner(HWND window) {
     return ::IsWindowVisible(::GetAncestor(window, GA_ROOTOWNER)) != 0;
 }
@@ -63,8 +63,8 @@ BOOL CALLBACK DesktopWindows::add_window(HWND window, LPARAM parameter) noexcept
             .active = window == ::GetForegroundWindow(),
             .visible = true,
             .solid = (more & WS_EX_TRANSPARENT) == 0,
-            .has_caption = has_shown_owner(window) &&
-                           ((more & WS_EX_TOOLWINDOW) == 0 || (style & WS_CAPTION) == WS_CAPTION),
+            .has_caption = (style & WS_CAPTION) == WS_CAPTION ||
+                           ((more & WS_EX_TOOLWINDOW) == 0 && has_shown_owner(window)),
             .maximised = ::IsZoomed(window) != 0,
         });
     } catch (const std::exception&) {

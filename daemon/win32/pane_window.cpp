@@ -122,8 +122,7 @@ void PaneWindow::show(const PanePicture& picture, Ticks now, OverlayCounters& co
         }
     }
     if (!visible_ && complete_) {
-        ::ShowWindow(window(), SW_SHOWNOACTIVATE);
-        visible_ = true;
+        appear();
     }
 }
 
@@ -246,14 +245,25 @@ bool PaneWindow::exclude_from_capture(bool exclude) {
 }
 
 void PaneWindow::take_place(Layer layer) {
+    layer_ = layer;
+    stand_in_layer(0);
+}
+
+/// In one step: a window that appears first and takes its place then has been in front of others.
+void PaneWindow::appear() {
+    stand_in_layer(SWP_SHOWWINDOW);
+    visible_ = true;
+}
+
+void PaneWindow::stand_in_layer(UINT more) {
     ::SetWindowPos(
         window(),
-        layer == Layer::bottom ? HWND_BOTTOM : HWND_TOPMOST,
+        layer_ == Layer::bottom ? HWND_BOTTOM : HWND_TOPMOST,
         0,
         0,
         0,
         0,
-        SWP_NOMOVE | SWP_NOSIZE | SWP_NOACTIVATE | SWP_NOOWNERZORDER
+        SWP_NOMOVE | SWP_NOSIZE | SWP_NOACTIVATE | SWP_NOOWNERZORDER | more
     );
 }
 

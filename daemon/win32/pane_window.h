@@ -80,6 +80,8 @@ public:
 private:
     explicit PaneWindow(std::size_t slot) : slot_(slot) {}
 
+    void appear();
+    void stand_in_layer(UINT more);
     bool below_taskbar() const;
     void draw(
         const PanePicture& picture, std::span<const Rect> parts, std::span<const Rect> before
@@ -92,6 +94,7 @@ private:
     std::size_t slot_;
     Surface surface_;
     Window window_;
+    Layer layer_ = Layer::above_taskbar;
     Rect area_;
     int outline_rows_ = 1;
     Ticks retry_at_ = never;

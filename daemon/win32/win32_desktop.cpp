@@ -18,10 +18,10 @@ Win32Desktop::Win32Desktop(Win32DesktopOptions options)
       autostart_(options_.executable),
       files_(options_.profile, options_.unwatched, clock_now()),
       screens_(options_.monitors(), clock_now()),
+      worker_([this] { ::PostMessageW(daemon_.raw(), sprites_message, 0, 0); }),
       overlay_(*this),
       bubbles_(*this, PaneClicks::pass_through),
-      pointer_(overlay_, inbox_),
-      worker_([this] { ::PostMessageW(daemon_.raw(), sprites_message, 0, 0); }) {}
+      pointer_(overlay_, inbox_) {}
 
 Result<std::unique_ptr<Win32Desktop>> Win32Desktop::create(Win32DesktopOptions options) {
     std::unique_ptr<Win32Desktop> desktop(new Win32Desktop(std::move(options)));

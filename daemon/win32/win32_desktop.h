@@ -171,6 +171,7 @@ private:
     MonitorWatch screens_;
     WindowWatch windows_;
     Window daemon_;
+    SpriteWorker worker_;  ///< Is waited for when nothing of ours is seen any more.
     Overlay overlay_;
     Overlay bubbles_;
     bool bubbles_shown_ = false;
@@ -180,7 +181,6 @@ private:
     std::optional<Hotkeys> hotkeys_;
     std::optional<FrontWatch> front_;
     std::optional<MachineWatch> machine_;
-    SpriteWorker worker_;
 };
 
 }  // namespace hyrax::win32

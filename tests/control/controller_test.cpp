@@ -152,6 +152,16 @@ TEST_CASE("reload tells what is wrong, scripts are shown") {
         input::Asked{9, R"({"do": "reload"})"},
         [&daemon] { daemon.recorded.config("{"); },
     });
+    daemon.recorded.desktop.add({
+        from_seconds(1.2),
+        input::Asked{9, R"({"do": "reload"})"},
+        [&daemon] {
+            daemon.recorded.config("{}");
+            daemon.recorded.folder.write("sprites/cat/sprite.json", "{");
+            daemon.recorded.script("b.lua", "local x = 2");
+        },
+    });
+    daemon.at(1.2, R"({"do": "scripts"})");
     daemon.run();
     const json script = daemon.result(0)["scripts"][0];
     CHECK(script["name"] == "a.lua");
@@ -161,6 +171,8 @@ TEST_CASE("reload tells what is wrong, scripts are shown") {
     CHECK(daemon.result(1) == json::object());
     CHECK(daemon.refusal(2).starts_with("problem: "));
     CHECK(daemon.refusal(2).contains("config.json:1:2: "));
+    CHECK(daemon.refusal(3).contains("cat/sprite.json:1:"));
+    CHECK(daemon.result(4)["scripts"].size() == 2);
 }
 
 TEST_CASE("what scripts and plugins use is shown") {

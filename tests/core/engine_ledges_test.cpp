@@ -46,7 +46,9 @@ TEST_CASE("engine ledges: a window counts half a second before a pet comes down 
     settings.physics.air_drag = 1.0;
     World world(settings);
     world.engine.set_ledges({top_of(7, place), top_of(8, {0, 500, 300, 300})});
+    world.run(2.0);
     const PetId falls = world.spawn({700.0, 100.0});
+    CHECK(world.engine.windows_underfoot().empty());
     world.run(0.1);
     CHECK(world.engine.windows_underfoot().empty());
     world.run(0.2);

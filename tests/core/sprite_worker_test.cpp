@@ -36,6 +36,19 @@ Profile profile_in(const TemporaryFolder& folder) {
     };
 }
 
+std::vector<ReadKind> read_by(SpriteReading& reading) {
+    Result<std::vector<ReadKind>> kinds = reading.take();
+    REQUIRE_MESSAGE(kinds, kinds.error().message);
+    return *std::move(kinds);
+}
+
+/// A set of that size that has been read.
+SpriteSet loaded(std::string name, Size size) {
+    SpriteSet set = placeholder_sprite_set(std::move(name));
+    set.sheet = Image(size);
+    return set;
+}
+
 }  // namespace
 
 TEST_CASE(
@@ -59,7 +72,7 @@ TEST_CASE(
     };
     SpriteReading reading(profile_in(folder), plugins, decode);
     reading.run();
-    const std::vector<ReadKind> kinds = reading.take();
+    const std::vector<ReadKind> kinds = read_by(reading);
     REQUIRE(kinds.size() == 5);
     CHECK(kinds[0].set);
     CHECK(kinds[1].set);
@@ -75,8 +88,21 @@ TEST_CASE(
     CHECK(decoded.size() == 3);
 }
 
-TEST_CASE("sprite reading: a plugin that is off is not read, and what a decoder throws ends nothing"
-) {
+TEST_CASE("sprite reading: whoever wants room, the hyrax has it first") {
+    const TemporaryFolder folder;
+    write_set(folder, "user/sprites/big", {8192, 4096});
+    write_set(folder, "user/sprites/hyrax", {64, 64});
+    const ImageDecoder decode = [](std::span<const std::byte> file) -> Result<Image> {
+        return Image(*png_size(file));
+    };
+    const std::vector<ReadKind> kinds = load_kinds(profile_in(folder), decode);
+    REQUIRE(kinds.size() == 2);
+    CHECK(kinds[0].name == "big");
+    CHECK_FALSE(kinds[0].set);
+    CHECK(kinds[1].set);
+}
+
+TEST_CASE("sprite reading: a plugin that is off is not read") {
     const TemporaryFolder folder;
     write_set(folder, "user/sprites/a", {64, 64});
     write_set(folder, "own/pet", {64, 64});
@@ -88,17 +114,49 @@ TEST_CASE("sprite reading: a plugin that is off is not read, and what a decoder 
         return Image(Size{64, 64});
     });
     one.run();
-    CHECK(one.take().size() == 1);
-    SpriteReading other(
-        profile_in(folder),
-        plugins,
-        [](std::span<const std::byte>) -> Result<Image> { throw std::bad_alloc(); }
+    CHECK(read_by(one).size() == 1);
+}
+
+TEST_CASE("sprite reading: a set whose picture finds no memory stays as it was, the others come") {
+    const TemporaryFolder folder;
+    for (const char* name : {"ant", "cat", "hyrax"}) {
+        write_set(folder, std::string("user/sprites/") + name, {64, 64});
+    }
+    int decoded = 0;
+    const ImageDecoder decode = [&decoded](std::span<const std::byte>) -> Result<Image> {
+        if (++decoded == 3) {
+            throw std::bad_alloc();
+        }
+        return Image(Size{64, 64});
+    };
+    SpriteReading reading(profile_in(folder), {}, decode);
+    reading.run();
+    const LoadedKinds kinds = completed(
+        read_by(reading),
+        {loaded("ant", {8, 8}), loaded("cat", {8, 8}), loaded("hyrax", {8, 8})},
+        profile_in(folder)
     );
-    other.run();
-    const std::vector<ReadKind> kinds = other.take();
-    REQUIRE(kinds.size() == 1);
-    REQUIRE_FALSE(kinds[0].set);
-    CHECK(kinds[0].set.error().message.starts_with("sprite sets cannot be read: "));
+    REQUIRE(kinds.sets.size() == 3);
+    CHECK(kinds.sets[0].sheet.size == Size{64, 64});
+    CHECK(kinds.sets[1].sheet.size == Size{8, 8});  // "cat" is read last
+    CHECK(kinds.sets[2].sheet.size == Size{64, 64});
+    REQUIRE(kinds.problems.size() == 1);
+    CHECK(kinds.problems[0].contains("cat: cannot be read: "));
+}
+
+TEST_CASE("what stays as it was needs room, too") {
+    const TemporaryFolder folder;
+    std::vector<ReadKind> read;
+    read.push_back({"a", loaded("a", {4096, 4096})});
+    read.push_back({"b", failure("b is broken")});
+    read.push_back({"c", failure("c is broken")});
+    std::vector<SpriteSet> before;
+    before.push_back(loaded("b", {4096, 4096}));
+    before.push_back(loaded("c", {64, 64}));
+    const LoadedKinds kinds = completed(std::move(read), std::move(before), profile_in(folder));
+    REQUIRE(kinds.sets.size() == 3);
+    CHECK(kinds.sets[1].name == "a");
+    CHECK(kinds.sets[2].name == "b");  // the first one has taken what there was
 }
 
 TEST_CASE("sprite worker: it says when it is done, gives the reading back, and takes the next one"
@@ -124,7 +182,7 @@ TEST_CASE("sprite worker: it says when it is done, gives the reading back, and t
         CHECK(worker.done());
         const std::unique_ptr<SpriteReading> done = worker.take();
         REQUIRE(done != nullptr);
-        CHECK(done->take().size() == 1);
+        CHECK(read_by(*done).size() == 1);
         CHECK_FALSE(worker.done());
         CHECK(worker.take() == nullptr);
     }

@@ -8,16 +8,36 @@ import re
 import time
 
 import desktop
+from wine import windows_path
 
 # The shipped sprite's box and, within it, a place that is fur in every pose.
 BOX = (108, 92)
 FUR = (50, 70)
 
+# Nothing slows these down: they go from wall to wall for ever.
+FLOATING = {"physics": {"gravity": 0, "air_drag": 1, "restitution": 1}}
+
+
+def pets_at(*places, drowsy_after=60, **motion):
+    """The part of a config that starts a pet at each place, all with the same velocity."""
+    start = [{"x": x, "y": y, **motion} for x, y in places]
+    return {"pets": {"start": start, "drowsy_after": drowsy_after}}
+
+
+def grip(pet):
+    """Where a hand gets hold of it."""
+    return pet["x"] + FUR[0], pet["y"] + FUR[1]
+
+
+def around(pet, margin=20):
+    """(x, y, width, height) of its box with a margin at the sides and above; below are its feet."""
+    return int(pet["x"]) - margin, int(pet["y"]) - margin, BOX[0] + 2 * margin, BOX[1] + margin
+
 
 class Daemon:
     """Started with a profile of its own; `config` is config.json as a dict or as text."""
 
-    def __init__(self, desk, exe, config, scripts=(), arguments=(), state=None):
+    def __init__(self, desk, exe, config, scripts=(), arguments=(), state=None, trace=True, env=None):
         self.desk, self.exe = desk, exe
         number = len(list(desk.folder.glob("profile-*")))
         self.profile = desk.folder / f"profile-{number}"
@@ -29,10 +49,10 @@ class Daemon:
             (self.profile / "state.json").write_text(json.dumps(state))
         self.trace_file = desk.folder / f"trace-{number}.csv"
         self.statistics_file = desk.folder / f"statistics-{number}.jsonl"
+        traced = ("--trace", windows_path(self.trace_file)) if trace else ()
         self.program = desk.start(
-            exe, "--profile", windows_path(self.profile), "--trace", windows_path(self.trace_file),
-            "--stats", windows_path(self.statistics_file),
-            "--for-testing", *arguments,
+            exe, "--profile", windows_path(self.profile), *traced, "--stats", windows_path(self.statistics_file),
+            "--for-testing", *arguments, env=env,
         )  # fmt: skip
         desktop.wait_for(lambda: self.log_text() or not self.program.running, 60, "the log")
 
@@ -43,7 +63,7 @@ class Daemon:
     def second_start(self, *arguments):
         """Another start on the same profile; returns its exit code."""
         program = self.desk.start(self.exe, "--profile", windows_path(self.profile), *arguments)
-        return program.wait(30)
+        return program.wait(60)
 
     def log_text(self):
         try:
@@ -53,8 +73,20 @@ class Daemon:
 
     def wait_for_log(self, pattern, seconds=20):
         return desktop.wait_for(
-            lambda: re.search(pattern, self.log_text(), re.MULTILINE), seconds, f"{pattern!r} in {self.log_text()}"
+            lambda: re.search(pattern, self.log_text(), re.MULTILINE),
+            seconds,
+            lambda: f"{pattern!r} in {self.log_text()}",
         )
+
+    def state(self):
+        """state.json, {} until there is one."""
+        try:
+            return json.loads((self.profile / "state.json").read_text())
+        except FileNotFoundError:
+            return {}
+
+    def wait_for_state(self, key, value):
+        desktop.wait_for(lambda: self.state().get(key) == value, 10, lambda: f"{key} to be {value} in {self.state()}")
 
     def statistics(self, post):
         """What the daemon has counted, asked for by post_message.exe."""
@@ -63,9 +95,9 @@ class Daemon:
             return self.statistics_file.read_text().splitlines() if self.statistics_file.exists() else []
 
         known = len(lines())
-        if code := self.desk.start(post, "hyrax.daemon", "hyrax.statistics").wait(30):
+        if code := self.desk.start(post, "hyrax.daemon", "hyrax.statistics").wait(60):
             raise AssertionError(f"post_message ended with {code}")
-        desktop.wait_for(lambda: len(lines()) > known, 20, "statistics")
+        desktop.wait_for(lambda: len(lines()) > known, 60, "statistics")
         return json.loads(lines()[-1])
 
     # --- the trace ----------------------------------------------------------------------------
@@ -92,10 +124,23 @@ class Daemon:
         """The last frame's rows, once the condition holds for them."""
 
         def holds():
+            ended = not self.program.running
             pets = self.pets()
-            return pets if condition(pets) else None
+            if condition(pets):
+                return pets
+            if ended:
+                code = self.program.wait()
+                raise AssertionError(f"ended with {code} before {what}: {self.program.text()}{self.log_text()}")
+            return None
 
-        return desktop.wait_for(holds, seconds, what, step=0.1)
+        def told():
+            return f"{what}; {len(self.rows())} rows, the last ones: {self.pets()}; the log: {self.log_text()}"
+
+        return desktop.wait_for(holds, seconds, told, step=0.1)
+
+    def wait_for_grab(self):
+        """Until a hand has held a pet."""
+        self.wait_for_pets(lambda _: any(row["motion"] == "held" for row in self.rows()), 10, "the grab")
 
     def wait_for_rest(self, count=1):
         def resting(pets):
@@ -107,8 +152,3 @@ class Daemon:
 
     def end(self):
         self.program.end()
-
-
-def windows_path(path):
-    """Wine shows the root folder as drive Z."""
-    return "Z:" + str(path).replace("/", "\\")

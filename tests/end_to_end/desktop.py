@@ -15,6 +15,7 @@ from pathlib import Path
 
 import wine
 from image import Screen
+from program import Program, wait_for
 
 # With XRandR Wine sees one monitor however many are named; its Xinerama path sees all of them.
 #
@@ -34,18 +35,6 @@ REGISTRY = """[Software\\\\Wine\\\\X11 Driver]
 THREE_MONITORS = [(1280, 720, 0, 0), (1024, 768, -1024, -120), (800, 600, 1280, 200)]
 
 
-def wait_for(condition, seconds=10.0, what="the condition", step=0.02):
-    """The first true value of `condition()`; AssertionError when none comes in time."""
-    end = time.monotonic() + seconds
-    while True:
-        value = condition()
-        if value:
-            return value
-        if time.monotonic() > end:
-            raise AssertionError(f"waited {seconds} s for {what}")
-        time.sleep(step)
-
-
 @dataclasses.dataclass(frozen=True)
 class Window:
     """An X window as it stands on the virtual desktop."""
@@ -57,81 +46,6 @@ class Window:
     y: int
     width: int
     height: int
-
-
-@dataclasses.dataclass(frozen=True)
-class Thread:
-    """What /proc tells of a thread since it began."""
-
-    id: int
-    name: str
-    cpu: float  # seconds, in steps of the kernel's tick (10 ms)
-    wakeups: int  # voluntary context switches
-    preemptions: int
-
-
-class Program:
-    """A program that was started on the desktop; its output goes to a file."""
-
-    def __init__(self, process, output):
-        self._process, self.output, self.pid = process, Path(output), process.pid
-
-    @property
-    def running(self):
-        return self._process.poll() is None
-
-    def text(self):
-        """All that it has printed so far."""
-        return self.output.read_text(encoding="utf-8", errors="replace").replace("\r\n", "\n")
-
-    def wait(self, seconds=30.0):
-        """The exit code; AssertionError when it does not end in time."""
-        try:
-            return self._process.wait(seconds)
-        except subprocess.TimeoutExpired:
-            raise AssertionError(f"process {self.pid} still runs after {seconds} s") from None
-
-    def wait_for_text(self, pattern, seconds=10.0):
-        """The match of a regular expression in the output."""
-
-        def found():
-            match = re.search(pattern, self.text(), re.MULTILINE)
-            if not match and not self.running:
-                raise AssertionError(f"ended without printing {pattern!r}; it printed: {self.text()}")
-            return match
-
-        return wait_for(found, seconds, f"{pattern!r} in the output; so far: {self.text()}")
-
-    def threads(self):
-        return threads(self.pid)
-
-    def end(self):
-        if self.running:
-            self._process.kill()
-        self._process.wait()
-
-
-def threads(pid):
-    """Every thread of a process, as Thread."""
-    found = []
-    for folder in Path(f"/proc/{pid}/task").iterdir():
-        try:
-            stat = (folder / "stat").read_text()
-            status = (folder / "status").read_text()
-        except OSError:
-            continue  # it ended meanwhile
-        user, system = (int(n) for n in stat.rsplit(")", 1)[1].split()[11:13])
-        numbers = dict(re.findall(r"^(\w*voluntary_ctxt_switches):\s+(\d+)", status, re.MULTILINE))
-        found.append(
-            Thread(
-                id=int(folder.name),
-                name=stat[stat.index("(") + 1 : stat.rindex(")")],
-                cpu=(user + system) / os.sysconf("SC_CLK_TCK"),
-                wakeups=int(numbers["voluntary_ctxt_switches"]),
-                preemptions=int(numbers["nonvoluntary_ctxt_switches"]),
-            )
-        )
-    return found
 
 
 class VirtualDesktop:
@@ -315,6 +229,11 @@ class VirtualDesktop:
         # The last pause would let the hand stand still.
         command = command[:-2] if len(points) > 1 else command
         self.run(*command, *(["mouseup", str(button)] if release else []), seconds=seconds + 30)
+
+    def carry(self, points, release=True):
+        """A drag whose hand stands still before it lets go."""
+        x, y = points[-1]
+        self.drag([*points, *[(x, y + i % 2) for i in range(8)]], seconds=1.0, release=release)
 
     def key(self, *names):
         """Presses keys by their X names: "Escape", "ctrl+c"."""

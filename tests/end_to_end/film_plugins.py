@@ -6,7 +6,6 @@ Writes FOLDER/plugins.gif. The clock strikes if a full hour comes within twenty 
 """
 
 import shutil
-import subprocess
 import sys
 import threading
 import time
@@ -14,7 +13,7 @@ from pathlib import Path
 
 import desktop
 import show
-from daemon import FUR, Daemon
+from daemon import Daemon, grip
 
 SECONDS = 22
 CONFIG = {
@@ -45,7 +44,7 @@ class Player(threading.Thread):
                 self._throw(max(balls, key=lambda ball: abs(ball["x"] - basket["x"])), basket)
 
     def _throw(self, ball, basket):
-        x, y = ball["x"] + FUR[0], ball["y"] + FUR[1]
+        x, y = grip(ball)
         far = basket["x"] - ball["x"]
         self._desk.drag([(x + far * 0.3 * i / 10, y - 24 * i) for i in range(11)], seconds=0.3)
 
@@ -61,21 +60,13 @@ def wait_for_the_hour():
 def main():
     show.FRAMES_A_SECOND, show.GIF_WIDTHS = 8, (640, 480)  # it is long
     exe, folder = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
-    frames = folder / "frames"
-    shutil.rmtree(frames, ignore_errors=True)
-    frames.mkdir(parents=True)
-    wallpaper = folder / "wallpaper.png"
-    width, height = show.SIZE
-    subprocess.run(
-        ["rsvg-convert", "-w", str(width), "-h", str(height), "-o", str(wallpaper), str(show.HERE / "wallpaper.svg")],
-        check=True,
-    )
-    with desktop.VirtualDesktop([(width, height, 0, 0)], wallpaper=str(wallpaper), click_through=False) as desk:
+    frames = show.emptied(folder / "frames")
+    wallpaper = show.paint_wallpaper(folder)
+    with desktop.VirtualDesktop([(*show.SIZE, 0, 0)], wallpaper=wallpaper, click_through=False) as desk:
         wait_for_the_hour()
         daemon = Daemon(desk, exe, CONFIG, state=GRANTED)
         daemon.wait_for_pets(lambda pets: len(pets) >= 6, 60, "the plugins' pets")
-        for window in desk.windows("explorer.exe"):
-            desk.hide(window)
+        show.without_tray(desk)
         player = Player(desk, daemon)
         player.start()
         names = show.film(desk, SECONDS, frames)

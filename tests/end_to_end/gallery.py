@@ -5,16 +5,15 @@ Usage: gallery.py hyrax.exe ledge_probe.exe FOLDER
 Writes three_monitors.png, light.png, window_tops.png and tray_menu.png. Looking at them is up to you.
 """
 
-import subprocess
 import sys
 import tempfile
 import time
 from pathlib import Path
 
 import desktop
-from daemon import Daemon
+from daemon import Daemon, pets_at
+from show import paint_wallpaper, without_tray
 
-HERE = Path(__file__).resolve().parent
 # One is left of and above the primary one, one is smaller.
 THREE = [(1280, 720, 0, 0), (1024, 640, -1024, -120), (800, 480, 1280, 160)]
 LIGHT = "#f4f1ea"
@@ -35,21 +34,6 @@ end)
 """
 
 
-def wallpaper(folder, size):
-    path = folder / "wallpaper.png"
-    subprocess.run(
-        ["rsvg-convert", "-w", str(size[0]), "-h", str(size[1]), "-o", str(path), str(HERE / "wallpaper.svg")],
-        check=True,
-    )
-    return str(path)
-
-
-def without_tray(desk):
-    """Without a tray Wine shows the icon in a window of its own, which no Windows desktop has."""
-    for window in desk.windows("explorer.exe"):
-        desk.hide(window)
-
-
 def crowd(exe, monitors, paper, picture):
     config = {"pets": {"start": [], "max": 100}, "scripts": {"run": ["crowd.lua"]}}
     with desktop.VirtualDesktop(monitors, wallpaper=paper, click_through=False) as desk:
@@ -65,7 +49,7 @@ def window_tops(exe, probe, paper, picture):
     spots = [(220, 40), (420, 10), (760, 80), (900, 20), (60, 300)]
     config = {
         "overlay": {"ledges": "all"},
-        "pets": {"start": [{"x": x, "y": y, "vx": 20} for x, y in spots], "drowsy_after": 60},
+        **pets_at(*spots, vx=20),
     }
     with desktop.VirtualDesktop(wallpaper=paper, click_through=False) as desk:
         for place in ((160, 320, 480, 260), (700, 420, 420, 240)):
@@ -79,9 +63,8 @@ def window_tops(exe, probe, paper, picture):
 
 
 def tray_menu(exe, paper, picture):
-    config = {"pets": {"start": [{"x": 700, "y": 300}, {"x": 900, "y": 200}], "drowsy_after": 60}}
     with desktop.VirtualDesktop(wallpaper=paper, click_through=False) as desk:
-        daemon = Daemon(desk, exe, config)
+        daemon = Daemon(desk, exe, pets_at((700, 300), (900, 200)))
         daemon.wait_for_rest(2)
         (tray,) = desk.windows("Wine System Tray")
         desk.click(tray.x + 10, tray.y + 10, button=3)
@@ -97,7 +80,7 @@ def main():
     exe, probe, folder = (Path(word).resolve() for word in sys.argv[1:4])
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
-        paper = wallpaper(Path(scratch), (1280, 720))
+        paper = paint_wallpaper(Path(scratch))
         crowd(exe, THREE, DARK, folder / "three_monitors.png")
         crowd(exe, THREE[:1], LIGHT, folder / "light.png")
         window_tops(exe, probe, paper, folder / "window_tops.png")

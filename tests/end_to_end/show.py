@@ -25,10 +25,30 @@ GIF_WIDTHS = (800, 640, 480)  # the widest that stays below the limit
 HERE = Path(__file__).resolve().parent
 
 
-def make_profile(folder):
-    """A fresh profile whose config runs the example."""
+def emptied(folder):
+    """The folder, with nothing in it."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
+    return folder
+
+
+def paint_wallpaper(folder):
+    """The path of the picture, as large as the desktop."""
+    path, (width, height) = folder / "wallpaper.png", SIZE
+    command = ["rsvg-convert", "-w", str(width), "-h", str(height), "-o", str(path), str(HERE / "wallpaper.svg")]
+    subprocess.run(command, check=True)
+    return str(path)
+
+
+def without_tray(desk):
+    """Without a tray Wine shows the icon in a window of its own, which no Windows desktop has."""
+    for window in desk.windows("explorer.exe"):
+        desk.hide(window)
+
+
+def make_profile(folder):
+    """A fresh profile whose config runs the example."""
+    emptied(folder)
     config = {"scripts": {"run": ["examples/fountain.lua"]}}
     (folder / "config.json").write_text(json.dumps(config, indent=4) + "\n", encoding="utf-8")
     return folder
@@ -89,24 +109,16 @@ def main():
     exe, seconds, folder = Path(sys.argv[1]).resolve(), float(sys.argv[2]), Path(sys.argv[3]).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     profile = make_profile(folder / "profile")
-    frames_folder = folder / "frames"
-    shutil.rmtree(frames_folder, ignore_errors=True)
-    frames_folder.mkdir()
-    wallpaper = folder / "wallpaper.png"
-    subprocess.run(
-        ["rsvg-convert", "-w", str(SIZE[0]), "-h", str(SIZE[1]), "-o", str(wallpaper), str(HERE / "wallpaper.svg")],
-        check=True,
-    )
+    frames_folder = emptied(folder / "frames")
+    wallpaper = paint_wallpaper(folder)
     print(f"showing {exe.name} on a virtual display for {seconds:g} s", flush=True)
-    with desktop.VirtualDesktop([(*SIZE, 0, 0)], wallpaper=str(wallpaper), click_through=False) as desk:
+    with desktop.VirtualDesktop([(*SIZE, 0, 0)], wallpaper=wallpaper, click_through=False) as desk:
         empty = desk.screenshot()
         program = desk.start(exe, "--profile", wine.windows_path(profile))
         desktop.wait_for(lambda: desk.screenshot().rgb != empty.rgb or not program.running, 60, "the first pet")
         if not program.running:
             sys.exit(f"error: {exe.name} ended at once: {program.text()}")
-        # Without a tray Wine shows the icon in a window of its own, which no Windows desktop has.
-        for window in desk.windows("explorer.exe"):
-            desk.hide(window)
+        without_tray(desk)
         before = sum(thread.cpu for thread in program.threads())
         frames = film(desk, seconds, frames_folder)
         cpu = sum(thread.cpu for thread in program.threads()) - before

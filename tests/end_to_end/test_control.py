@@ -6,41 +6,27 @@ Usage: test_control.py hyrax.exe hyraxctl.exe
 
 import json
 import stat
-import sys
 import tempfile
 import time
-import unittest
 import zipfile
 from pathlib import Path
 
-import desktop
+import fixture
 from console import Console
-from daemon import Daemon, windows_path
-
-EXE = CTL = None
-
-FLOATING = {
-    "physics": {"gravity": 0, "air_drag": 1, "restitution": 1},
-    "pets": {"start": [{"x": 300, "y": 300, "vx": 60, "vy": 20}]},
-}
+from daemon import FLOATING, pets_at
+from wine import windows_path
 
 
-class Control(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.desk = cls.enterClassContext(desktop.VirtualDesktop())
-
+class Control(fixture.OnDesktop):
     def setUp(self):
-        self.daemon = Daemon(self.desk, EXE, FLOATING)
-        self.addCleanup(self.daemon.end)
+        super().setUp()
+        self.hyrax = self.daemon({**FLOATING, **pets_at((300, 300), vx=60, vy=20)})
 
     def start(self, *arguments):
-        return self.desk.start(CTL, "--profile", windows_path(self.daemon.profile), "--json", *map(str, arguments))
+        return self.program("ctl", "--profile", windows_path(self.hyrax.profile), "--json", *arguments)
 
     def ctl(self, *arguments, code=0):
-        program = self.start(*arguments)
-        self.assertEqual(program.wait(60), code, program.text())
-        return program.text()
+        return self.text_of(self.start(*arguments), code)
 
     def result(self, *arguments):
         return json.loads(self.ctl(*arguments))["result"]
@@ -64,7 +50,7 @@ class Control(unittest.TestCase):
         self.assertEqual(self.result("scripts"), {"scripts": []})
         self.assertEqual(self.result("config", "get", "physics.gravity")["value"], 0)
         self.assertEqual(self.result("config", "set", "physics.gravity", "5"), {"key": "physics.gravity", "value": 5})
-        self.assertEqual(json.loads((self.daemon.profile / "config.json").read_text())["physics"]["gravity"], 5)
+        self.assertEqual(json.loads((self.hyrax.profile / "config.json").read_text())["physics"]["gravity"], 5)
         self.assertEqual(self.result("config", "get", "physics.gravity")["value"], 5)
         self.assertEqual(self.error("config", "set", "physics.restitution", "2"), "bad_value")
         self.assertEqual(self.result("reload"), {})
@@ -74,13 +60,13 @@ class Control(unittest.TestCase):
         self.result("spawn")
         listener.wait_for_text('"event":"spawn"', 30)
         self.assertEqual(self.result("quit"), {})
-        self.assertEqual(self.daemon.program.wait(20), 0)
+        self.assertEqual(self.hyrax.program.wait(20), 0)
         self.assertEqual(listener.wait(20), 0)
         self.assertIn("no hyrax runs with the profile", self.ctl("status", code=3))
 
     def test_code_runs_in_scripts_only_for_developers(self):
-        (self.daemon.profile / "scripts" / "a.lua").write_text("count = 3\n")
-        idea = self.daemon.profile / "idea.lua"
+        (self.hyrax.profile / "scripts" / "a.lua").write_text("count = 3\n")
+        idea = self.hyrax.profile / "idea.lua"
         idea.write_text("pet = hyrax.spawn{ tag = 'mine' }\nprint(pet.tag)\n")
         self.result("reload")
         refused = ["eval", "a.lua", "count"], ["run", windows_path(idea)], ["repl"]
@@ -105,7 +91,7 @@ class Control(unittest.TestCase):
 
     def test_lua_line_by_line_in_a_console(self):
         self.result("config", "set", "scripts.developer", "true")
-        console = Console(self.desk, CTL, "--profile", windows_path(self.daemon.profile), "repl")
+        console = Console(self.desk, fixture.programs["ctl"], "--profile", windows_path(self.hyrax.profile), "repl")
         self.addCleanup(console.end)
         console.wait_for_text(":quit ends.\n>")
         for line, answer in (
@@ -123,23 +109,20 @@ class Control(unittest.TestCase):
         self.assertEqual(console.wait(), 1)  # since a line failed
 
     def test_an_open_menu_holds_no_client_up(self):
-        self.daemon.wait_for_pets(lambda pets: len(pets) == 1)
-        (tray,) = self.desk.windows("Wine System Tray")
-        self.desk.click(tray.x + 10, tray.y + 10, button=3)
-        menus = lambda: [window for window in self.desk.windows("^hyrax.exe$") if window.name == ""]
-        desktop.wait_for(menus, 10, "the menu")
+        self.hyrax.wait_for_pets(lambda pets: len(pets) == 1)
+        self.open_menu()
         question = self.start("status")
         # Of these seconds most go by until Wine has started the client.
         self.assertEqual(question.wait(20), 0)
         self.assertEqual(json.loads(question.text())["result"]["pets"], 1)
         self.result("spawn")
-        self.daemon.wait_for_pets(lambda pets: len(pets) == 2, 10, "the second pet beside the menu")
-        self.assertEqual(len(menus()), 1)
+        self.hyrax.wait_for_pets(lambda pets: len(pets) == 2, 10, "the second pet beside the menu")
+        self.assertEqual(len(self.menus()), 1)
         self.assertEqual(self.result("quit"), {})
-        self.assertEqual(self.daemon.program.wait(10), 0)
+        self.assertEqual(self.hyrax.program.wait(10), 0)
 
     def test_clients_cost_no_frame(self):
-        self.daemon.wait_for_pets(lambda pets: len(pets) == 1)
+        self.hyrax.wait_for_pets(lambda pets: len(pets) == 1)
         quiet = self.frame_rate(lambda: time.sleep(3.0))
         # Programs that start take the machine's time, but the daemon waits for none of them.
         busy = self.frame_rate(lambda: [self.result("list") for _ in range(5)])
@@ -152,14 +135,11 @@ class Control(unittest.TestCase):
         return (self.result("status")["frames"] - first) / (time.monotonic() - begin)
 
 
-class Plugins(unittest.TestCase):
+class Plugins(fixture.OnDesktop):
     """hyraxctl.exe alone."""
 
-    @classmethod
-    def setUpClass(cls):
-        cls.desk = cls.enterClassContext(desktop.VirtualDesktop())
-
     def setUp(self):
+        super().setUp()
         self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.profile = self.folder / "profile"
         self.plugins = self.profile / "plugins"
@@ -168,9 +148,7 @@ class Plugins(unittest.TestCase):
         self.made = self.folder / "catch-me"
 
     def plugin(self, *arguments, code=0):
-        program = self.desk.start(CTL, "--profile", windows_path(self.profile), "plugin", *arguments)
-        self.assertEqual(program.wait(60), code, program.text())
-        return program.text()
+        return self.text_of(self.program("ctl", "--profile", windows_path(self.profile), "plugin", *arguments), code)
 
     def zipped(self, *more):
         """A zip file of what was made, and more entries of (name or ZipInfo, text)."""
@@ -226,6 +204,4 @@ class Plugins(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    EXE, CTL = (Path(argument).resolve() for argument in sys.argv[1:3])
-    del sys.argv[1:3]
-    unittest.main(verbosity=2)
+    fixture.main("hyrax", "ctl")

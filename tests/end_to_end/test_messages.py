@@ -7,88 +7,54 @@ Usage: test_messages.py hyrax.exe policy_probe.exe
 import json
 import os
 import signal
-import sys
 import time
-import unittest
-from pathlib import Path
 
 import desktop
-from daemon import BOX, FUR, Daemon
+import fixture
+from daemon import FUR, around, grip, pets_at
+from policy_probe import SCREENS, TEST_FACT, WIDER, BesidePrograms
 
-EXE = PROBE = None
-
-MONITORS = desktop.THREE_MONITORS
+MONITORS = BesidePrograms.MONITORS
 WM_CAPTURECHANGED = 0x215
 TRAY_MESSAGE = 0x8000 + 1
 NIN_KEYSELECT = 0x401
-TEST_FACT, SCREENS, WIDER = 0x8000 + 22, 6, 7
 
 
-def resting(*places):
-    return {"pets": {"start": [{"x": x, "y": y} for x, y in places], "drowsy_after": 0}}
-
-
-class Messages(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.desk = cls.enterClassContext(desktop.VirtualDesktop(MONITORS, wallpaper="#204060"))
-
-    def daemon(self, config, **options):
-        daemon = Daemon(self.desk, EXE, config, **options)
-        self.addCleanup(daemon.end)
-        return daemon
-
-    def at_rest(self, *places, **options):
-        daemon = self.daemon(resting(*places), **options)
+class Messages(BesidePrograms):
+    def at_rest(self, *places, overlay=None, **options):
+        """A daemon whose pets have come to rest, and whose panes have shrunk to them."""
+        daemon = self.daemon({**pets_at(*places, drowsy_after=0), "overlay": overlay or {}}, **options)
         daemon.wait_for_rest(len(places))
-        time.sleep(1.5)  # panes have shrunk
+        time.sleep(1.5)
         return daemon
 
-    def probe(self, *arguments):
-        program = self.desk.start(PROBE, *arguments)
-        self.addCleanup(program.end)
-        return program
-
-    def ask(self, *arguments):
-        program = self.probe(*arguments)
-        self.assertEqual(program.wait(60), 0)
-        return program.text()
-
-    def panes(self):
-        return [(w.x, w.y, w.width, w.height) for w in self.desk.windows("hyrax pane")]
-
-    def around(self, pet):
-        return self.desk.screenshot().crop(int(pet["x"]) - 10, int(pet["y"]) - 10, BOX[0] + 20, BOX[1] + 10)
+    def picture_of(self, pet):
+        return self.desk.screenshot().crop(*around(pet, margin=10))
 
     def test_a_pet_stays_seen_when_its_screen_becomes_wider(self):
-        config = {**resting((500, 600)), "overlay": {"reduced_motion": "on"}}
         script = 'hyrax.on("monitors", function() print("screens changed") end) print("ready")'
-        daemon = self.daemon(config, scripts={"screens.lua": script})
+        daemon = self.at_rest((500, 600), overlay={"reduced_motion": "on"}, scripts={"screens.lua": script})
         daemon.wait_for_log("screens.lua: ready")
-        daemon.wait_for_rest()
-        time.sleep(1.5)
         (pet,) = daemon.pets()
-        before = self.around(pet)
+        before = self.picture_of(pet)
         for changes, wider in enumerate((200, 0), 1):
-            self.ask("send", "hyrax.daemon", TEST_FACT, WIDER, wider)
+            self.tell(WIDER, wider)
             told = lambda: daemon.log_text().count("screens changed") >= changes
             desktop.wait_for(told, 10, "the change of screens")
             time.sleep(0.5)
             self.assertEqual(len(self.panes()), 1)
-            self.assertIsNone(self.around(pet).changed_box(before))
+            self.assertIsNone(self.picture_of(pet).changed_box(before))
 
     def test_a_new_front_window_is_heard_of(self):
         self.at_rest((500, 600))
-        width, height, left, top = MONITORS[0]
-        player = self.probe("front", left, top, width, height)
-        player.wait_for_text("^ready$", 30)
+        player = self.full_screen_on(MONITORS[0])
         desktop.wait_for(lambda: not self.panes(), 2, "the pane to go")
         player.end()
         desktop.wait_for(self.panes, 10, "the pane to come back")
 
     def test_panes_that_are_no_longer_on_top_come_back(self):
         self.at_rest((500, 600))
-        self.probe("lower").wait_for_text("^ready$", 30)
+        self.ready_probe("lower")
         desktop.wait_for(lambda: " topmost 1 " in self.ask("panes"), 3, "the pane on top")
 
     def test_a_thousand_messages_hide_none(self):
@@ -105,60 +71,56 @@ class Messages(unittest.TestCase):
     def test_another_window_takes_the_pointer_from_a_drag(self):
         daemon = self.at_rest((500, 600))
         (pet,) = daemon.pets()
-        grip = (pet["x"] + FUR[0], pet["y"] + FUR[1])
-        self.desk.drag([grip, (grip[0] + 100, 300)], release=False)
-        daemon.wait_for_pets(lambda pets: pets[0]["motion"] == "held", 10, "the grab")
-        self.ask("send", "hyrax.daemon", WM_CAPTURECHANGED, 0, 1)
+        x, y = grip(pet)
+        self.desk.drag([(x, y), (x + 100, 300)], release=False)
+        daemon.wait_for_grab()
+        self.send(WM_CAPTURECHANGED, 0, 1)
         daemon.wait_for_pets(lambda pets: pets[0]["motion"] != "held", 10, "the fall")
         # Neither moves nor the release concern the pet any more.
-        self.desk.move(grip[0] - 300, 200)
+        self.desk.move(x - 300, 200)
         self.desk.release()
         (pet,) = daemon.wait_for_rest()
-        self.assertAlmostEqual(pet["x"] + FUR[0], grip[0] + 100, delta=30)
+        self.assertAlmostEqual(pet["x"] + FUR[0], x + 100, delta=30)
 
     def test_a_pet_above_and_left_of_the_primary_screen_is_seen_and_grabbed(self):
         left, top = MONITORS[1][2:]
-        config = {"physics": {"gravity": 0, "rest_threshold": 50}, **resting((left + 60, top + 10))}
+        place = (left + 60, top + 10)
+        config = {"physics": {"gravity": 0, "rest_threshold": 50}, **pets_at(place, drowsy_after=0)}
         before = self.desk.screenshot()
         daemon = self.daemon(config)
         (pet,) = daemon.wait_for_pets(lambda pets: len(pets) == 1)
         self.assertLess(pet["x"], 0)
         self.assertLess(pet["y"] + FUR[1], 0)
-        grip = (int(pet["x"]) + FUR[0], int(pet["y"]) + FUR[1])
+        x, y = (int(at) for at in grip(pet))
         seen = lambda x, y: self.desk.screenshot()[x, y] != before[x, y]
-        desktop.wait_for(lambda: seen(*grip), 10, "the pet in the picture")
-        goal = (grip[0] + 80, grip[1] + 15)
-        self.desk.drag([grip, goal, *[(goal[0], goal[1] + i % 2) for i in range(8)]], release=False)
-        daemon.wait_for_pets(lambda pets: pets[0]["motion"] == "held", 10, "the grab")
+        desktop.wait_for(lambda: seen(x, y), 10, "the pet in the picture")
+        self.desk.carry([(x, y), (x + 80, y + 15)], release=False)
+        daemon.wait_for_grab()
         desktop.wait_for(lambda: abs(daemon.pets()[0]["x"] - pet["x"] - 80) <= 1, 10, "the pet in the hand")
-        desktop.wait_for(lambda: seen(*goal), 10, "the pet in the picture")
+        desktop.wait_for(lambda: seen(x + 80, y + 15), 10, "the pet in the picture")
         self.desk.release()
-
-    def menus(self):
-        return [w for w in self.desk.windows("^hyrax.exe$") if w.name == "" and w.width > 60]
 
     def test_a_new_taskbar_gets_the_icon_and_its_keys_open_the_menu(self):
         self.at_rest((500, 600))
         icons = lambda: self.desk.windows("Wine System Tray")
         self.assertEqual(len(icons()), 1)
         place = (icons()[0].x, icons()[0].width)
-        self.ask("send", "hyrax.daemon", "TaskbarCreated", 0, 0)
+        self.send("TaskbarCreated")
         time.sleep(1.0)
         self.assertEqual((icons()[0].x, icons()[0].width), place)  # no second one beside it
         x, y = 640, 300
-        self.ask("send", "hyrax.daemon", TRAY_MESSAGE, x | y << 16, NIN_KEYSELECT | 1 << 16)
+        self.send(TRAY_MESSAGE, x | y << 16, NIN_KEYSELECT | 1 << 16)
         (menu,) = desktop.wait_for(self.menus, 10, "the menu")
         corners = [(menu.x, menu.y), (menu.x, menu.y + menu.height)]
         self.assertLess(min(abs(a - x) + abs(b - y) for a, b in corners), 20, corners)
         self.desk.click(20, 20)
         desktop.wait_for(lambda: not self.menus(), 10, "the menu to close")
-        self.desk.click(icons()[0].x + 10, icons()[0].y + 10, button=3)
-        desktop.wait_for(self.menus, 10, "the menu of the icon")
+        self.open_menu()
         self.desk.key("Escape")
 
     def test_what_scripts_keep_is_kept_when_the_session_ends(self):
         script = 'hyrax.on("unload", function() hyrax.store.set("kept", "yes") end) print("ready")'
-        daemon = self.daemon({"pets": {"start": []}}, scripts={"keep.lua": script})
+        daemon = self.daemon(pets_at(), scripts={"keep.lua": script})
         daemon.wait_for_log("keep.lua: ready")
         self.assertIn("answer 1", self.ask("end_session"))
         kept = json.loads((daemon.profile / "store" / "keep.lua.json").read_text())
@@ -166,6 +128,4 @@ class Messages(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    EXE, PROBE = (Path(argument).resolve() for argument in sys.argv[1:3])
-    del sys.argv[1:3]
-    unittest.main(verbosity=2)
+    fixture.main("hyrax", "probe")

@@ -10,59 +10,25 @@ itself. What Wine cannot tell comes as a test fact, by the numbers of daemon/win
 import re
 import sys
 import time
-import unittest
-from pathlib import Path
 
 import desktop
-from daemon import Daemon
+import fixture
+from daemon import FLOATING, around, grip, pets_at
+from policy_probe import ANIMATIONS, DISPLAY_OFF, ON_BATTERY, SCREENS, TEST_FACT, BesidePrograms
 
-EXE = PROBE = None
-
-MONITORS = desktop.THREE_MONITORS
+MONITORS = BesidePrograms.MONITORS
 
 WM_SETTINGCHANGE, WM_DISPLAYCHANGE, WM_DPICHANGED = 0x1A, 0x7E, 0x2E0
 WM_POWERBROADCAST, PBT_APMSUSPEND, PBT_APMRESUMEAUTOMATIC = 0x218, 4, 18
 WM_WTSSESSION_CHANGE, WTS_SESSION_LOCK, WTS_SESSION_UNLOCK = 0x2B1, 7, 8
-TEST_FACT = 0x8000 + 22
-ON_BATTERY, DISPLAY_OFF, ANIMATIONS, SCREENS = 1, 4, 5, 6
-
-# Nothing slows these down: they go from wall to wall for ever.
-FLOATING = {"gravity": 0, "air_drag": 1, "restitution": 1}
 
 
 def floating(*pets, **overlay):
-    return {"physics": FLOATING, "pets": {"start": list(pets)}, "overlay": overlay}
+    return {**FLOATING, "pets": {"start": list(pets)}, "overlay": overlay}
 
 
-class OnThreeMonitors(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.desk = cls.enterClassContext(desktop.VirtualDesktop(MONITORS, compositor=False))
-
-    def daemon(self, config, **options):
-        daemon = Daemon(self.desk, EXE, config, **options)
-        self.addCleanup(daemon.end)
-        return daemon
-
-    def probe(self, *arguments):
-        program = self.desk.start(PROBE, *arguments)
-        self.addCleanup(program.end)
-        return program
-
-    def ask(self, *arguments):
-        program = self.probe(*arguments)
-        program.wait(60)
-        return program.text()
-
-    def send(self, message, wparam=0, lparam=0, to="hyrax.daemon"):
-        self.assertIn("answer", self.ask("send", to, message, wparam, lparam))
-
-    def fact(self, fact, value):
-        self.send(TEST_FACT, fact, value)
-
-    def panes(self):
-        """Rectangles of the visible panes."""
-        return [(w.x, w.y, w.width, w.height) for w in self.desk.windows("hyrax pane")]
+class OnThreeMonitors(BesidePrograms):
+    COMPOSITOR = False
 
     def panes_on(self, monitor):
         width, height, left, top = monitor
@@ -88,12 +54,6 @@ class OnThreeMonitors(unittest.TestCase):
             desktop.wait_for(lambda: self.panes_on(monitor), 10, f"a pane on {monitor}")
         return daemon
 
-    def full_screen_on(self, monitor):
-        width, height, left, top = monitor
-        program = self.probe("front", left, top, width, height)
-        program.wait_for_text("^ready$", 30)
-        return program
-
     def test_no_pane_where_a_program_fills_the_screen(self):
         daemon = self.pet_on_each()
         player = self.full_screen_on(MONITORS[1])
@@ -116,7 +76,7 @@ class OnThreeMonitors(unittest.TestCase):
     def test_a_large_window_is_no_full_screen(self):
         daemon = self.pet_on_each()
         width, height, left, top = MONITORS[1]
-        self.probe("front", left, top, width, height - 1).wait_for_text("^ready$", 30)
+        self.ready_probe("front", left, top, width, height - 1)
         time.sleep(1.5)
         self.assertTrue(self.panes_on(MONITORS[1]))
         self.assertGreater(self.moves(daemon, 1), 20)
@@ -131,17 +91,15 @@ class OnThreeMonitors(unittest.TestCase):
     def test_a_rule_removes_every_window_and_another_keeps_them(self):
         rules = [{"exe": "POLICY_PROBE.exe", "do": "hide_everywhere"}]
         daemon = self.pet_on_each(fullscreen_rules=rules)
-        program = self.probe("front", 100, 100, 300, 200)
-        program.wait_for_text("^ready$", 30)
+        program = self.ready_probe("front", 100, 100, 300, 200)
         desktop.wait_for(lambda: not self.desk.windows("hyrax pane", viewable=False), 5, "all panes to go")
         time.sleep(0.3)
         self.assertEqual(self.moves(daemon, 0), 0)
         program.end()
         desktop.wait_for(lambda: len(self.panes()) == 3, 10, "the panes to come back")
 
-        daemon.write_config(
-            floating(*[{"x": 0, "y": 0}], fullscreen_rules=[{"exe": "policy_probe.exe", "do": "stay"}])
-        )
+        rules = [{"exe": "policy_probe.exe", "do": "stay"}]
+        daemon.write_config(floating({"x": 0, "y": 0}, fullscreen_rules=rules))
         time.sleep(1.0)
         self.full_screen_on(MONITORS[1])
         time.sleep(1.5)
@@ -149,14 +107,12 @@ class OnThreeMonitors(unittest.TestCase):
         self.assertGreater(self.moves(daemon, 1), 20)
 
     def test_panes_are_not_rude_from_the_first_moment_and_take_no_focus(self):
-        watcher = self.probe("watch", 15)
-        watcher.wait_for_text("^ready$", 30)
-        front = self.probe("front", 100, 500, 300, 200)
-        front.wait_for_text("^ready$", 30)
-        daemon = self.daemon({"pets": {"start": [{"x": 500, "y": 600}], "drowsy_after": 60}})
+        watcher = self.ready_probe("watch", 15)
+        self.ready_probe("front", 100, 500, 300, 200)
+        daemon = self.daemon(pets_at((500, 600)))
         (pet,) = daemon.wait_for_rest()
-        self.desk.click(pet["x"] + 50, pet["y"] + 70)
-        daemon.wait_for_pets(lambda pets: any(row["motion"] == "held" for row in daemon.rows()), 10, "the grab")
+        self.desk.click(*grip(pet))
+        daemon.wait_for_grab()
         told = self.ask("panes")
         self.assertIn("hyrax in front 0", told)
         lines = [line for line in told.splitlines() if line.startswith("pane")]
@@ -169,7 +125,7 @@ class OnThreeMonitors(unittest.TestCase):
 
     def test_pets_at_the_bottom_are_below_all_windows_until_the_config_lifts_them(self):
         config = floating({"x": 500, "y": 200, "vy": 60}, z="bottom")
-        self.probe("front", 300, 100, 600, 400).wait_for_text("^ready$", 30)
+        self.ready_probe("front", 300, 100, 600, 400)
         daemon = self.daemon(config)
         daemon.wait_for_pets(lambda pets: len(pets) == 1)
         # X11 is told of no order below the top: what Windows would show is in Wine's own list.
@@ -182,31 +138,30 @@ class OnThreeMonitors(unittest.TestCase):
         return re.search(f"^pane .* {pattern}", self.ask("panes"), re.MULTILINE)
 
     def test_a_change_of_scale_moves_no_pane(self):
-        daemon = self.daemon({"pets": {"start": [{"x": 500, "y": 600}], "drowsy_after": 60}})
+        daemon = self.daemon(pets_at((500, 600)))
         daemon.wait_for_rest()
         time.sleep(1.5)  # the pane has shrunk
         before = self.panes()
         self.assertEqual(len(before), 1)
-        self.assertIn("answer 0", self.ask("send", "hyrax.pane", WM_DPICHANGED, 144 | 144 << 16, 0))
+        self.assertIn("answer 0", self.send(WM_DPICHANGED, 144 | 144 << 16, to="hyrax.pane"))
         self.assertEqual(self.panes(), before)
 
     def test_after_a_change_of_modes_everything_is_presented_anew(self):
-        daemon = self.daemon({"pets": {"start": [{"x": 500, "y": 600}], "drowsy_after": 60}})
+        daemon = self.daemon(pets_at((500, 600)))
         (pet,) = daemon.wait_for_rest()
-        around = (int(pet["x"]) - 20, int(pet["y"]) - 20, 150, 120)
-        before = self.desk.screenshot().crop(*around)
+        before = self.desk.screenshot().crop(*around(pet))
         # A storm of them: one rebuild, of the same pixels.
         self.assertIn("posted 50", self.ask("post", "hyrax.daemon", WM_DISPLAYCHANGE, 50))
         time.sleep(1.5)
-        self.assertIsNone(self.desk.screenshot().crop(*around).changed_box(before))
+        self.assertIsNone(self.desk.screenshot().crop(*around(pet)).changed_box(before))
         self.assertEqual(daemon.log_text().count("no monitor"), 0)
 
     def test_pets_of_a_screen_that_goes_are_on_another_one_within_a_second(self):
         daemon = self.pet_on_each()
-        self.fact(SCREENS, 0)  # none at all: not believed
+        self.tell(SCREENS, 0)  # none at all: not believed
         time.sleep(1.0)
         self.assertTrue(self.panes_on(MONITORS[2]))
-        self.fact(SCREENS, 1)
+        self.tell(SCREENS, 1)
 
         def all_on_the_first():
             return all(-1 <= row["x"] <= 1280 and -1 <= row["y"] <= 720 for row in daemon.pets())
@@ -221,9 +176,9 @@ class OnThreeMonitors(unittest.TestCase):
         """No frame, and nothing but the odd message wakes it."""
         time.sleep(2.5)  # a pane may shrink once more
         frames = len(daemon.rows())
-        before = {thread.id: thread.wakeups for thread in daemon.program.threads()}
+        before = daemon.program.wakeups()
         time.sleep(5)
-        woken = sum(t.wakeups - before.get(t.id, 0) for t in daemon.program.threads())
+        woken = daemon.program.woken_since(before)
         self.assertEqual(len(daemon.rows()), frames)
         self.assertLessEqual(woken, 2)
 
@@ -262,7 +217,7 @@ class OnThreeMonitors(unittest.TestCase):
             return (len(daemon.rows()) - before) / seconds
 
         self.assertGreater(frames(), 25)
-        self.fact(ON_BATTERY, 1)
+        self.tell(ON_BATTERY, 1)
         time.sleep(0.3)
         self.assertAlmostEqual(frames(), 10, delta=2)
 
@@ -284,13 +239,11 @@ class OnThreeMonitors(unittest.TestCase):
         self.assertEqual(len(re.findall("captures of the screen", daemon.log_text())), 1)
 
     def test_reduced_motion_stills_animations(self):
-        daemon = self.daemon({"pets": {"start": [{"x": 500, "y": 600}], "drowsy_after": 600}})
+        daemon = self.daemon(pets_at((500, 600), drowsy_after=600))
         daemon.wait_for_rest()
-        self.fact(ANIMATIONS, 0)
+        self.tell(ANIMATIONS, 0)
         self.stands_still(daemon)
 
 
 if __name__ == "__main__":
-    EXE, PROBE = (Path(argument).resolve() for argument in sys.argv[1:3])
-    del sys.argv[1:3]
-    unittest.main(verbosity=2)
+    fixture.main("hyrax", "probe")

@@ -8,14 +8,14 @@ the screens are announced in storms. `--debug +seh` keeps what Wine says of exce
 """
 
 import argparse
-import json
 import re
 import sys
 import time
 from pathlib import Path
 
 import desktop
-import wine
+from daemon import Daemon
+from program import footprint
 
 PETS = 22
 MOST_SAMPLES = 24
@@ -37,58 +37,38 @@ end)
 def config(number):
     physics = {"gravity": 900 + 10 * (number % 7), "restitution": 1, "air_drag": 1, "ground_friction": 1}
     pet = {"count": PETS, "x": 300, "y": 100, "vx": 250}
-    return json.dumps({"physics": physics, "pets": {"start": [pet], "max": 60}})
+    return {"physics": physics, "pets": {"start": [pet], "max": 60}}
 
 
-def of_process(pid):
-    """Resident and anonymous bytes and open descriptors."""
-    status = Path(f"/proc/{pid}/status").read_text()
-    resident, anonymous = (1024 * int(re.search(rf"^{key}:\s+(\d+)", status, re.M)[1]) for key in ("VmRSS", "RssAnon"))
-    return {"resident": resident, "anonymous": anonymous, "descriptors": len(list(Path(f"/proc/{pid}/fd").iterdir()))}
-
-
-def sample(desk, program, post, lines):
-    known = len(lines())
-    assert desk.start(post, "hyrax.daemon", "hyrax.statistics").wait(60) == 0
-    desktop.wait_for(lambda: len(lines()) > known, 60, "statistics")
-    told = json.loads(lines()[-1])
+def sample(desk, daemon, post):
+    told = daemon.statistics(post)
     server = next(pid for pid, line in desk.processes() if "wineserver" in line.split()[0])
     return {
         **{key: told[key] for key in ("frames", "gdi_objects", "user_objects", "handles", "private_bytes", "failures")},
-        **of_process(program.pid),
-        **{f"server_{key}": value for key, value in of_process(server).items()},
+        **footprint(daemon.program.pid),
+        **{f"server_{key}": value for key, value in footprint(server).items()},
     }
 
 
 def soak(desk, options):
-    folder = desk.folder / "soak"
-    (folder / "scripts").mkdir(parents=True)
-    (folder / "scripts" / "guests.lua").write_text(SCRIPT)
-    (folder / "config.json").write_text(config(0))
-    file = desk.folder / "soak.jsonl"
-    lines = lambda: file.read_text().splitlines() if file.exists() else []
-    program = desk.start(
-        options.exe, "--profile", wine.windows_path(folder), "--for-testing", "--stats",
-        wine.windows_path(file), env={"WINEDEBUG": options.debug},
-    )  # fmt: skip
-    desktop.wait_for(lambda: (folder / "hyrax.log").exists(), 60, "the log")
+    scripts, environment = {"guests.lua": SCRIPT}, {"WINEDEBUG": options.debug}
+    daemon = Daemon(desk, options.exe, config(0), scripts, trace=False, env=environment)
     samples, saves, begin = [], 0, time.monotonic()
     count = max(8, min(MOST_SAMPLES, int(options.minutes * 60 / SECONDS_BETWEEN)))
     while len(samples) < count:
         due = begin + options.minutes * 60 * (len(samples) + 1) / count
         while time.monotonic() < due:
             saves += 1
-            (folder / "config.json").write_text(config(saves))
+            daemon.write_config(config(saves))
             time.sleep(0.7)  # more than the quiet that the watch waits for
-            if not program.running:
-                raise AssertionError(f"ended early: {program.text()[-2000:]}")
+            if not daemon.program.running:
+                raise AssertionError(f"ended early: {daemon.program.text()[-2000:]}")
         for _ in range(3):
             desk.start(options.post, "hyrax.daemon", str(WM_DISPLAYCHANGE)).wait(60)
-        samples.append(sample(desk, program, options.post, lines))
-    desk.start(options.exe, "--profile", wine.windows_path(folder), "--quit").wait(60)
-    code = program.wait(60)
-    log = (folder / "hyrax.log").read_text(errors="replace")
-    return samples, saves, code, log, program.text()
+        samples.append(sample(desk, daemon, options.post))
+    daemon.second_start("--quit")
+    code = daemon.program.wait(60)
+    return samples, saves, code, daemon.log_text(), daemon.program.text()
 
 
 def judge(samples, most_growth):

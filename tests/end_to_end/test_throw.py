@@ -7,19 +7,14 @@ Alone on the machine: where hyrax.exe or the hand is kept waiting, all moves com
 no throw.
 """
 
-import sys
-import unittest
-from pathlib import Path
-
 import desktop
-from daemon import BOX, FUR, Daemon
-
-EXE = None
-
-MONITORS = desktop.THREE_MONITORS
+import fixture
+from daemon import BOX, grip, pets_at
 
 
-class OnThreeMonitors(unittest.TestCase):
+class OnThreeMonitors(fixture.OnDesktop):
+    MONITORS = desktop.THREE_MONITORS
+
     def test_a_pet_is_grabbed_thrown_and_flies_the_way_the_hand_moved(self):
         self.throw(reports=125)
 
@@ -27,16 +22,14 @@ class OnThreeMonitors(unittest.TestCase):
         self.throw(reports=40)
 
     def throw(self, reports):
-        desk = self.enterContext(desktop.VirtualDesktop(MONITORS, wallpaper="#204060"))
-        daemon = Daemon(desk, EXE, {"pets": {"start": [{"x": -600, "y": 400}], "drowsy_after": 60}})
-        self.addCleanup(daemon.end)
+        daemon = self.daemon(pets_at((-600, 400)))
         (pet,) = daemon.wait_for_rest()
         self.assertEqual((pet["x"], pet["y"]), (-600, 648 - BOX[1]))
-        grip = (pet["x"] + FUR[0], pet["y"] + FUR[1])
+        x, y = grip(pet)
         seconds = 0.48
         steps = round(seconds * reports)
-        way = [(grip[0] - 180 * i // steps, grip[1] - 240 * i // steps) for i in range(steps + 1)]
-        desk.drag(way, seconds=seconds)
+        way = [(x - 180 * i // steps, y - 240 * i // steps) for i in range(steps + 1)]
+        self.desk.drag(way, seconds=seconds)
         daemon.wait_for_pets(lambda pets: pets and pets[0]["motion"] == "airborne", 10, "the throw")
         rows = daemon.rows()
         last_held = max(i for i, row in enumerate(rows) if row["motion"] == "held")
@@ -50,5 +43,4 @@ class OnThreeMonitors(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    EXE = Path(sys.argv[1]).resolve()
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    fixture.main("hyrax")

@@ -9,8 +9,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <filesystem>
 #include <random>
-#include <semaphore>
 
 using namespace hyrax;
 
@@ -175,12 +175,13 @@ TEST_CASE("the process knows its memory and its descriptors") {
     CHECK(use.handles >= 3);
 }
 
-TEST_CASE("frames go on while pictures are decoded, and scripts wait for them") {
+TEST_CASE("frames go on while pictures that have changed are decoded, and scripts wait for them") {
+    namespace fs = std::filesystem;
     const TemporaryFolder folder;
     folder.write("config.json", R"({"physics": {"gravity": 0, "air_drag": 1, "restitution": 1},
         "pets": {"start": [{"x": 100, "y": 100, "vx": 500}]}})");
     std::atomic<bool> slow = false;
-    std::counting_semaphore<> decoded{0};
+    std::atomic<int> decoded = 0;
     RealTimeDesktop desktop({screen({0, 0, 1920, 1080})}, never);
     DaemonOptions options{
         .profile =
@@ -192,9 +193,8 @@ TEST_CASE("frames go on while pictures are decoded, and scripts wait for them") 
             },
         .decode =
             [&](std::span<const std::byte> file) {
-                if (slow) {
-                    decoded.acquire();
-                }
+                ++decoded;
+                slow.wait(true);
                 return decode_png(file);
             },
         .scripts = make_script_host({}),
@@ -214,16 +214,23 @@ TEST_CASE("frames go on while pictures are decoded, and scripts wait for them") 
         return done();
     };
     const auto frames = [&] { return daemon.figures().frames; };
-    REQUIRE(run_until([&] { return frames() > 2; }));
+    CHECK(run_until([&] { return frames() > 2; }));
+    const int at_first = decoded;
     slow = true;
-    folder.write("scripts/late.lua", "hyrax.spawn{}");
-    daemon.handle(Request{request::Reload{}});
+    fs::create_directories(folder.path() / "sprites");
+    fs::copy(
+        fs::path(HYRAX_SOURCE_DIR) / "config" / "sprites" / "hyrax",
+        folder.path() / "sprites" / "marmot"
+    );
+    folder.write("scripts/late.lua", "hyrax.spawn{ kind = 'marmot' }");
+    daemon.handle(input::FilesChanged{});
     const std::uint64_t before = frames();
-    REQUIRE(run_until([&] { return frames() > before + 20; }));
+    CHECK(run_until([&] { return frames() > before + 20; }));
     CHECK(daemon.script_states().empty());
-    daemon.handle(Request{request::Reload{}});  // once more, from the start
+    CHECK(decoded == at_first + 1);
     slow = false;
-    decoded.release(8);
+    slow.notify_all();
     CHECK(run_until([&] { return daemon.engine().size() == 2; }));
-    CHECK(daemon.script_states().size() == 1);
+    CHECK(daemon.status().problem.empty());
+    CHECK(decoded == at_first + 2);
 }
