@@ -33,6 +33,7 @@ Daemon::Daemon(Desktop& desktop, DaemonOptions options)
     read_kinds();
     use_monitors();
     load_wanted_scripts();
+    choose_conduct(false, false);  // The first window must appear where it belongs.
 }
 
 void Daemon::run() {

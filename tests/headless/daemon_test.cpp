@@ -339,3 +339,34 @@ TEST_CASE("every shipped example runs for a minute and keeps its pets in the are
         });
     }
 }
+
+TEST_CASE("the first window appears where the config wants it among others") {
+    struct FirstLook : HeadlessDesktop {
+        using HeadlessDesktop::HeadlessDesktop;
+        void present(const Frame& frame) override {
+            layers.push_back(conduct().layer);
+            HeadlessDesktop::present(frame);
+        }
+        std::vector<Layer> layers;
+    };
+    const TemporaryFolder folder;
+    folder.write("config.json", R"({"overlay": {"z": "bottom"}})");
+    FirstLook desktop({screen({0, 0, 1920, 1080})}, ticks_per_second);
+    DaemonOptions options{
+        .profile =
+            {
+                .config = folder.path() / "config.json",
+                .user = folder.path(),
+                .shipped = HYRAX_SOURCE_DIR,
+                .more_scripts = {},
+            },
+        .decode = decode_png,
+        .scripts = nullptr,
+        .trace = {},
+        .requests = {},
+        .fps = {},
+    };
+    Daemon(desktop, std::move(options)).run();
+    REQUIRE_FALSE(desktop.layers.empty());
+    CHECK(std::ranges::count(desktop.layers, Layer::bottom) == std::ssize(desktop.layers));
+}
