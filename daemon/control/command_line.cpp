@@ -50,6 +50,17 @@ void add_request(
     );
 }
 
+/// For a request that holds nothing but whether it is on.
+template <typename R>
+void add_switch(CLI::App& app, CommonOptions& common, const char* name, const char* help) {
+    app.add_option_function<std::string>(
+           name,
+           [&common](const std::string& word) { common.requests.emplace_back(R{word == "on"}); },
+           help
+    )
+        ->check(CLI::IsMember({"on", "off"}));
+}
+
 void add_common(CLI::App& app, CommonOptions& common, Raw& raw) {
     app.set_version_flag("--version", std::string("hyrax ") + HYRAX_VERSION);
     app.add_option_function<int>(
@@ -66,22 +77,12 @@ void add_common(CLI::App& app, CommonOptions& common, Raw& raw) {
     add_request(app, common, "--gather", request::Gather{}, "Call every pet to this monitor");
     add_request(app, common, "--hide", request::Hide{}, "Hide all pets until they are shown");
     add_request(app, common, "--show", request::Show{}, "Show them again");
-    app.add_option_function<std::string>(
-           "--quiet",
-           [&common](const std::string& word) {
-               common.requests.emplace_back(request::SetQuiet{word == "on"});
-           },
-           "Pets sit still, and scripts may not move them"
-    )
-        ->check(CLI::IsMember({"on", "off"}));
-    app.add_option_function<std::string>(
-           "--click-through",
-           [&common](const std::string& word) {
-               common.requests.emplace_back(request::SetClickThrough{word == "on"});
-           },
-           "The mouse reaches what lies below the pets"
-    )
-        ->check(CLI::IsMember({"on", "off"}));
+    add_switch<request::SetQuiet>(
+        app, common, "--quiet", "Pets sit still, and scripts may not move them"
+    );
+    add_switch<request::SetClickThrough>(
+        app, common, "--click-through", "The mouse reaches what lies below the pets"
+    );
     add_request(app, common, "--pause", request::SetPaused{true}, "Freeze pets and scripts");
     add_request(app, common, "--resume", request::SetPaused{false}, "Let them go on");
     add_request(

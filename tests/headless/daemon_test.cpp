@@ -353,13 +353,7 @@ TEST_CASE("the first window appears where the config wants it among others") {
     folder.write("config.json", R"({"overlay": {"z": "bottom"}})");
     FirstLook desktop({screen({0, 0, 1920, 1080})}, ticks_per_second);
     DaemonOptions options{
-        .profile =
-            {
-                .config = folder.path() / "config.json",
-                .user = folder.path(),
-                .shipped = HYRAX_SOURCE_DIR,
-                .more_scripts = {},
-            },
+        .profile = profile_in(folder),
         .decode = decode_png,
         .scripts = nullptr,
         .trace = {},

@@ -184,13 +184,7 @@ TEST_CASE("frames go on while pictures that have changed are decoded, and script
     std::atomic<int> decoded = 0;
     RealTimeDesktop desktop({screen({0, 0, 1920, 1080})}, never);
     DaemonOptions options{
-        .profile =
-            {
-                .config = folder.path() / "config.json",
-                .user = folder.path(),
-                .shipped = HYRAX_SOURCE_DIR,
-                .more_scripts = {},
-            },
+        .profile = profile_in(folder),
         .decode =
             [&](std::span<const std::byte> file) {
                 ++decoded;

@@ -24,6 +24,17 @@ inline Monitor screen(Rect bounds) {
     return {.bounds = bounds, .work = bounds, .primary = true, .name = {}};
 }
 
+/// That remembers, and has what is shipped.
+inline Profile profile_in(const TemporaryFolder& folder) {
+    return {
+        .config = folder.path() / "config.json",
+        .user = folder.path(),
+        .shipped = HYRAX_SOURCE_DIR,
+        .more_scripts = {},
+        .state = folder.path() / "state.json",
+    };
+}
+
 /// Files first, then inputs, then run().
 class RecordedDaemon {
 public:
@@ -55,14 +66,7 @@ public:
 
     void run() {
         DaemonOptions options{
-            .profile =
-                {
-                    .config = folder.path() / "config.json",
-                    .user = folder.path(),
-                    .shipped = HYRAX_SOURCE_DIR,
-                    .more_scripts = {},
-                    .state = folder.path() / "state.json",
-                },
+            .profile = profile_in(folder),
             .decode = decode_png,
             .scripts = make_script_host({}),
             .control = std::move(control),
