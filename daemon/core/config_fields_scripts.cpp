@@ -153,7 +153,8 @@ constexpr Field<Config> hotkey_field(std::string_view path, std::string_view des
 
 constexpr std::array hotkey_keys{
     hotkey_field<UserHotkey::gather>(
-        "/hotkeys/gather", "Calls all pets to the monitor under the pointer. Such as ctrl+alt+g."
+        "/hotkeys/gather",
+        "Keys such as ctrl+alt+g, which call all pets to the monitor under the pointer."
     ),
     hotkey_field<UserHotkey::hide>("/hotkeys/hide", "Hides all pets, or shows them again."),
     hotkey_field<UserHotkey::pause>("/hotkeys/pause", "Pets and scripts stand still, or go on."),

@@ -146,7 +146,7 @@ struct Conduct {
     Watch front = Watch::off;
     bool name_programs = false;      ///< FrontWindow::program is wanted.
     bool hide_from_capture = false;  ///< Screenshots and recordings must not show the pets.
-    bool let_go = false;             ///< The pointer must not be kept: windows have to go.
+    bool let_go = false;             ///< A pressed button is to be forgotten: no pet may be held.
     bool click_through = false;      ///< The mouse reaches what lies below the pets.
     bool resting = true;             ///< Nothing moves: little of the processor is needed.
     bool dragging = false;           ///< The user holds a pet, and sees each delay.

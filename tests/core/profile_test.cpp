@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/core/profile.h"
 
+#include "tests/support/profile_folder.h"
 #include "tests/support/temporary_folder.h"
 
 #include <doctest/doctest.h>
@@ -13,15 +14,6 @@ namespace {
 
 Result<Image> no_decoder(std::span<const std::byte>) {
     return failure("not a readable PNG");
-}
-
-Profile profile_in(const TemporaryFolder& folder) {
-    return {
-        .config = folder.path() / "user" / "config.json",
-        .user = folder.path() / "user",
-        .shipped = folder.path() / "shipped",
-        .more_scripts = {},
-    };
 }
 
 std::vector<std::string> names(const LoadedScripts& loaded) {

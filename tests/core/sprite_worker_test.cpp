@@ -4,6 +4,7 @@
 #include "daemon/core/plugins.h"
 #include "daemon/core/png_header.h"
 #include "tests/support/png_header.h"
+#include "tests/support/profile_folder.h"
 #include "tests/support/temporary_folder.h"
 
 #include <doctest/doctest.h>
@@ -27,13 +28,14 @@ void write_set(const TemporaryFolder& folder, const std::string& place, Size siz
     folder.write(place + "/sheet.png", png_header(size.width, size.height));
 }
 
-Profile profile_in(const TemporaryFolder& folder) {
-    return {
-        .config = folder.path() / "user" / "config.json",
-        .user = folder.path() / "user",
-        .shipped = folder.path() / "shipped",
-        .more_scripts = {},
-    };
+/// The only one, with one kind.
+std::vector<PluginEntry> own_plugin(const TemporaryFolder& folder, PluginState state) {
+    write_set(folder, "own/pet", {64, 64});
+    Plugin plugin{.folder = folder.path() / "own", .id = "own"};
+    plugin.kinds.push_back({"pet", "pet/sprite.json"});
+    std::vector<PluginEntry> plugins(1);
+    plugins[0] = {.id = "own", .plugin = std::move(plugin), .state = state};
+    return plugins;
 }
 
 std::vector<ReadKind> read_by(SpriteReading& reading) {
@@ -60,11 +62,7 @@ TEST_CASE(
     write_set(folder, "user/sprites/b", {4096, 4095});
     write_set(folder, "user/sprites/c", {4096, 2});
     write_set(folder, "user/sprites/d", {64, 64});
-    write_set(folder, "own/pet", {64, 64});
-    Plugin plugin{.folder = folder.path() / "own", .id = "own"};
-    plugin.kinds.push_back({"pet", "pet/sprite.json"});
-    std::vector<PluginEntry> plugins(1);
-    plugins[0] = {.id = "own", .plugin = plugin, .state = PluginState::on};
+    const std::vector<PluginEntry> plugins = own_plugin(folder, PluginState::on);
     std::vector<Size> decoded;
     const ImageDecoder decode = [&](std::span<const std::byte> file) -> Result<Image> {
         decoded.push_back(*png_size(file));
@@ -105,11 +103,7 @@ TEST_CASE("sprite reading: whoever wants room, the hyrax has it first") {
 TEST_CASE("sprite reading: a plugin that is off is not read") {
     const TemporaryFolder folder;
     write_set(folder, "user/sprites/a", {64, 64});
-    write_set(folder, "own/pet", {64, 64});
-    Plugin plugin{.folder = folder.path() / "own", .id = "own"};
-    plugin.kinds.push_back({"pet", "pet/sprite.json"});
-    std::vector<PluginEntry> plugins(1);
-    plugins[0] = {.id = "own", .plugin = plugin, .state = PluginState::off};
+    const std::vector<PluginEntry> plugins = own_plugin(folder, PluginState::off);
     SpriteReading one(profile_in(folder), plugins, [](std::span<const std::byte>) -> Result<Image> {
         return Image(Size{64, 64});
     });
