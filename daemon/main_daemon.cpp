@@ -86,8 +86,9 @@ void open_log(const fs::path& file) {
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
     try {
+        // For several threads: what the shell is asked for is told by one that waited for it.
         spdlog::set_default_logger(
-            spdlog::rotating_logger_st("hyrax", file.native(), log_bytes, old_logs)
+            spdlog::rotating_logger_mt("hyrax", file.native(), log_bytes, old_logs)
         );
     } catch (const spdlog::spdlog_ex& problem) {
         // Without a log the daemon still runs.

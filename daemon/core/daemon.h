@@ -171,9 +171,8 @@ private:
 
     // daemon_profile.cpp
     bool read_config();
-    bool kinds_changed() const;
-    void note_stamps();
-    void begin_reading_kinds();
+    std::string stamp_of_sprites() const;
+    void begin_reading_kinds(std::string stamp);
     void read_kinds();
     void use_kinds(Result<std::vector<ReadKind>> kinds);
     void follow_files();
@@ -239,8 +238,7 @@ private:
     std::vector<ScriptSource> sources_;
     std::vector<std::string> script_names_;  ///< Those that are off as well.
     std::vector<PluginEntry> plugins_;
-    std::string plugin_kinds_;       ///< stamp_of_kinds()
-    std::string sprite_files_;       ///< stamp_of_folder() of the user's.
+    std::string sprites_stamp_;      ///< stamp_of_sprites() before they were last read.
     bool reading_aside_ = false;     ///< The desktop has a reading.
     bool kinds_on_the_way_ = false;  ///< What it reads counts: nobody has read them since.
     bool all_scripts_anew_ = false;  ///< Though their texts are the same.

@@ -69,22 +69,17 @@ bool Daemon::read_config() {
     return true;
 }
 
-bool Daemon::kinds_changed() const {
-    return stamp_of_folder(profile_.user / "sprites") != sprite_files_ ||
-           stamp_of_kinds(plugins_) != plugin_kinds_;
-}
-
-/// Before they are read: what is written meanwhile is read once more.
-void Daemon::note_stamps() {
-    sprite_files_ = stamp_of_folder(profile_.user / "sprites");
-    plugin_kinds_ = stamp_of_kinds(plugins_);
+/// The user's and those of plugins. Taken before they are read: what is written meanwhile is read
+/// once more.
+std::string Daemon::stamp_of_sprites() const {
+    return stamp_of_folder(profile_.user / "sprites") + "\n" + stamp_of_kinds(plugins_);
 }
 
 /// Files change at any time, and pets may be in the air: nobody waits for the pictures.
-void Daemon::begin_reading_kinds() {
+void Daemon::begin_reading_kinds(std::string stamp) {
     reading_aside_ = true;
     kinds_on_the_way_ = true;
-    note_stamps();
+    sprites_stamp_ = std::move(stamp);
     desktop_.read_aside(std::make_unique<SpriteReading>(profile_, plugins_, decode_));
 }
 
@@ -103,7 +98,7 @@ void Daemon::on(const input::SpritesRead&) {
 /// What the user asks for is done, and can be told, when this is.
 void Daemon::read_kinds() {
     kinds_on_the_way_ = false;
-    note_stamps();
+    sprites_stamp_ = stamp_of_sprites();
     SpriteReading reading(profile_, plugins_, decode_);
     reading.run();
     use_kinds(reading.take());
@@ -137,9 +132,10 @@ void Daemon::use_kinds(Result<std::vector<ReadKind>> kinds) {
 /// A script may spawn a kind that has come with it: it waits for the pictures.
 void Daemon::follow_files() {
     read_plugins();
-    const bool changed = kinds_changed();
+    std::string stamp = stamp_of_sprites();
+    const bool changed = stamp != sprites_stamp_;
     if (changed && !reading_aside_) {
-        begin_reading_kinds();
+        begin_reading_kinds(std::move(stamp));
     }
     if (!changed && !kinds_on_the_way_) {
         load_wanted_scripts();
@@ -148,7 +144,7 @@ void Daemon::follow_files() {
 
 void Daemon::read_scripts() {
     read_plugins();
-    if (kinds_on_the_way_ || kinds_changed()) {
+    if (kinds_on_the_way_ || stamp_of_sprites() != sprites_stamp_) {
         read_kinds();
     }
     load_wanted_scripts();

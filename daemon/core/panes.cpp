@@ -219,6 +219,23 @@ void MonitorPlan::join(std::size_t first, std::size_t second) {
     }
 }
 
+/// Those of a monitor that is no more go on in the one that they lie in: it may have become wider.
+std::vector<Pane> at_home(std::span<const Pane> panes, std::span<const Monitor> monitors) {
+    std::vector<Pane> result(panes.begin(), panes.end());
+    for (Pane& pane : result) {
+        if (std::ranges::find(monitors, pane.monitor, &Monitor::bounds) != monitors.end()) {
+            continue;
+        }
+        const auto home = std::ranges::find_if(monitors, [&](const Monitor& monitor) {
+            return monitor.bounds.contains(pane.area);
+        });
+        if (home != monitors.end()) {
+            pane.monitor = home->bounds;
+        }
+    }
+    return result;
+}
+
 /// Each without one gets the lowest that none has, nor had before: its window still shows a pet.
 void give_slots(std::vector<Pane>& panes, std::span<const Pane> before) {
     for (Pane& pane : panes) {
@@ -243,6 +260,7 @@ bool gives_way(const Pane& pane, const Pane& other, std::span<const Pane> before
 }  // namespace
 
 std::vector<Pane> plan_panes(const PaneScene& scene, std::span<const Pane> before, Ticks now) {
+    const std::vector<Pane> known = at_home(before, scene.monitors);
     std::vector<Pane> panes;
     for (const Monitor& monitor : scene.monitors) {
         const Rect& bounds = monitor.bounds;
@@ -250,7 +268,7 @@ std::vector<Pane> plan_panes(const PaneScene& scene, std::span<const Pane> befor
         if (std::ranges::find(scene.kept_free, bounds) == scene.kept_free.end() &&
             std::ranges::find(panes, bounds, &Pane::monitor) == panes.end()) {
             std::ranges::move(
-                MonitorPlan(scene, bounds, now).continued(before), std::back_inserter(panes)
+                MonitorPlan(scene, bounds, now).continued(known), std::back_inserter(panes)
             );
         }
     }

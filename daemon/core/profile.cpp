@@ -67,12 +67,10 @@ std::vector<ReadKind> load_kinds(const Profile& profile, const ImageDecoder& dec
     find_sprite_folders(profile.shipped / "config" / "sprites", folders);
 
     std::vector<ReadKind> kinds;
-    std::size_t room = most_sheet_pixels;
     const auto read = [&](const std::string& name, const fs::path& folder) {
-        Result<SpriteSet> set = load_sprite_set(folder, decode, room);
+        Result<SpriteSet> set = load_sprite_set(folder, decode, room_beside(kinds));
         if (set) {
             set->name = name;
-            room -= set->sheet.pixels.size();
         }
         kinds.push_back({name, std::move(set)});
     };
@@ -88,14 +86,19 @@ std::vector<ReadKind> load_kinds(const Profile& profile, const ImageDecoder& dec
     return kinds;
 }
 
+std::size_t room_beside(std::span<const ReadKind> kinds) {
+    std::size_t room = most_sheet_pixels;
+    for (const ReadKind& kind : kinds) {
+        room -= kind.set ? kind.set->sheet.pixels.size() : 0;
+    }
+    return room;
+}
+
 LoadedKinds completed(
     std::vector<ReadKind> read, std::vector<SpriteSet> before, const Profile& profile
 ) {
     LoadedKinds loaded;
-    std::size_t room = most_sheet_pixels;
-    for (const ReadKind& kind : read) {
-        room -= kind.set ? kind.set->sheet.pixels.size() : 0;
-    }
+    std::size_t room = room_beside(read);
     for (ReadKind& kind : read) {
         if (kind.set) {
             loaded.sets.push_back(*std::move(kind.set));

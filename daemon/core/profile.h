@@ -5,7 +5,9 @@
 #include "daemon/core/script_port.h"
 #include "daemon/core/sprite_set.h"
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +31,9 @@ struct ReadKind {
     std::string name;
     Result<SpriteSet> set;
 };
+
+/// What most_sheet_pixels leaves for the sheets of others.
+std::size_t room_beside(std::span<const ReadKind> kinds);
 
 struct LoadedKinds {
     std::vector<SpriteSet> sets;        ///< Never empty; "hyrax" is always there.

@@ -5,17 +5,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
+#include <iterator>
 #include <utility>
 
 namespace hyrax {
-namespace {
-
-std::size_t pixels_of(const ReadKind& kind) {
-    return kind.set ? kind.set->sheet.pixels.size() : 0;
-}
-
-}  // namespace
 
 SpriteReading::SpriteReading(
     Profile profile, std::span<const PluginEntry> plugins, ImageDecoder decode
@@ -38,15 +33,9 @@ void SpriteReading::run() noexcept {
 
 std::vector<ReadKind> SpriteReading::read() const {
     std::vector<ReadKind> kinds = load_kinds(profile_, decode_);
-    std::size_t room = most_sheet_pixels;
-    for (const ReadKind& kind : kinds) {
-        room -= pixels_of(kind);
-    }
     for (const Plugin& plugin : plugins_) {
-        for (ReadKind& kind : load_plugin_kinds(plugin, decode_, room)) {
-            room -= pixels_of(kind);
-            kinds.push_back(std::move(kind));
-        }
+        std::vector<ReadKind> more = load_plugin_kinds(plugin, decode_, room_beside(kinds));
+        std::ranges::move(more, std::back_inserter(kinds));
     }
     return kinds;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Windows show their panes one after the other: what is seen between two of them.
+// Windows that show their panes one after the other, and go on where screens change: what is seen
+// meanwhile.
 #include "daemon/core/panes.h"
 
 #include <doctest/doctest.h>
@@ -102,4 +103,23 @@ TEST_CASE("no pet is nowhere while panes part, meet and slide") {
     }
     CHECK(divided > 200);
     CHECK(joined > 200);
+}
+
+TEST_CASE("a window stays where it is when its screen changes around it") {
+    const std::vector<Rect> sprites{{500, 600, side, side}, {1700, 600, side, side}};
+    const Rect narrow{0, 0, 1280, 900};
+    const std::vector<Monitor> before{{.bounds = screen, .work = screen, .primary = true}};
+    const std::vector<Monitor> after{{.bounds = narrow, .work = narrow, .primary = true}};
+
+    const std::vector<Pane> both = plan_panes({before, sprites}, {}, 0);
+    REQUIRE(both.size() == 2);
+    const std::vector<Pane> one = plan_panes({after, sprites}, both, frame_time);
+    REQUIRE(one.size() == 1);
+    CHECK(one[0].slot == both[0].slot);
+    CHECK(one[0].area == both[0].area);
+    CHECK(one[0].monitor == narrow);
+    const std::vector<Pane> again = plan_panes({before, sprites}, one, 2 * frame_time);
+    REQUIRE(again.size() == 2);
+    CHECK(again[0].slot == both[0].slot);
+    CHECK(again[0].area == both[0].area);
 }

@@ -49,14 +49,19 @@ class Messages(BesidePrograms):
         daemon.wait_for_log("screens.lua: ready")
         (pet,) = daemon.pets()
         before = self.still_picture_of(pet)
+        panes = self.desk.windows("hyrax pane")
         for changes, wider in enumerate((200, 0), 1):
             self.tell(WIDER, wider)
             told = lambda: daemon.log_text().count("screens changed") >= changes
             desktop.wait_for(told, 10, "the change of screens")
             as_before = lambda: self.picture_of(pet).changed_box(before) is None
-            desktop.wait_for(as_before, 10, "the pet to be seen as before")
+            told = lambda: (
+                f"the pet to be seen as before, after {changes} changes; otherwise now: "
+                f"{self.picture_of(pet).changed_box(before)}; was {pet}, is {daemon.pets()}"
+            )
+            desktop.wait_for(as_before, 10, told)
             time.sleep(0.5)
-            self.assertEqual(len(self.panes()), 1)
+            self.assertEqual(self.desk.windows("hyrax pane"), panes)
             self.assertTrue(as_before())
 
     def test_a_new_front_window_is_heard_of(self):
