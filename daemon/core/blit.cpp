@@ -33,6 +33,28 @@ void for_each_band(const Rect& part, const auto& draw) {
     }
 }
 
+/// The rectangle as a target sees it whose pixel (0, 0) is `origin`.
+Rect relative_to(Point origin, const Rect& rect) {
+    return {rect.x - origin.x, rect.y - origin.y, rect.width, rect.height};
+}
+
+/// What of these places lies in the band. Where they crowd, the band itself has fewer pixels.
+void erase_places(
+    const PixelView& target, Point origin, const Rect& band, std::span<const Rect> places
+) {
+    long long pixels = 0;
+    for (const Rect& place : places) {
+        pixels += intersection(relative_to(origin, place), band).area();
+    }
+    if (pixels >= band.area()) {
+        erase(target, band);
+        return;
+    }
+    for (const Rect& place : places) {
+        erase(target, intersection(relative_to(origin, place), band));
+    }
+}
+
 }  // namespace
 
 std::span<const Kernel> available_blit_kernels() {
@@ -88,19 +110,12 @@ void recompose(
     const Frame& frame,
     Kernel kernel
 ) {
-    const auto local = [origin](const Rect& rect) {
-        return Rect{rect.x - origin.x, rect.y - origin.y, rect.width, rect.height};
-    };
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const Rect part = local(parts[i]);
+        const Rect part = relative_to(origin, parts[i]);
         for_each_band(part, [&](const Rect& band) {
-            for (const Rect& place : before) {
-                erase(target, intersection(local(place), band));
-            }
+            erase_places(target, origin, band, before);
             // Where parts overlap, the frame stands already, and would be blended with itself.
-            for (const Rect& done : parts.first(i)) {
-                erase(target, intersection(local(done), band));
-            }
+            erase_places(target, origin, band, parts.first(i));
             for (const Sprite& sprite : frame.sprites) {
                 const Point at{sprite.at.x - origin.x, sprite.at.y - origin.y};
                 blit(target, band, {*sprite.image, at, sprite.opacity}, kernel);

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Measures what pets cost on a desktop and writes docs/desktop_costs.md.
 
-desktop_costs.py hyrax.exe post_message.exe hyrax-headless [--seconds N] [--repeat N] [--docs DIR]
-                 [--work DIR] [--measure [native] [wine]]
+desktop_costs.py hyrax.exe post_message.exe hyrax-bench.exe hyrax-headless hyrax-bench [--seconds N]
+                 [--repeat N] [--docs DIR] [--work DIR] [--measure [native] [wine]]
 
 The CSV files go to the working folder; what is not measured again is taken from those that are
 there. The text is desktop_costs.md.in, where ${...} stands for a figure or a table.
@@ -17,10 +17,11 @@ import pathlib
 import shutil
 import statistics
 import string
+import subprocess
 import sys
 import time
 
-from desktop_scenes import ROOT, SCREEN, Headless, OnWine, config, desktop, measure
+from desktop_scenes import ROOT, SCREEN, Headless, OnWine, config, desktop, measure, wine
 
 HERE = pathlib.Path(__file__).resolve().parent
 COUNTS = (1, 10, 50, 100, 500)
@@ -31,7 +32,19 @@ STARTS = 7
 
 WORDS = {"flying": "flying", "thrown": "thrown", "floor": "along the floor", "rest": "at rest"}
 
-INPUTS = ("headless", "headless-dense", "headless-start", "wine", "wine-start", "machine")
+RENDERERS = {"scalar": "one pixel at a time", "sse2": "SSE2", "avx2": "AVX2", "gdiplus": "GDI+, under Wine"}
+MOST_DRAWING = {"sse2": 0.4, "avx2": 0.25}  # ms
+DRAWING = {
+    "drawn_ms": "drawn",
+    "erased_drawn_ms": "all erased, drawn",
+    "next_frame_ms": "next frame",
+    "cold_ms": "next frame, cold",
+}
+
+INPUTS = (
+    *("headless", "headless-dense", "headless-start", "headless-drawing"),
+    *("wine", "wine-start", "wine-drawing", "machine"),
+)
 
 SHIJIMA = 0.29  # core: Shijima-Qt with 100 pets at 25 ticks/s, natively on X; process and X together
 
@@ -101,7 +114,13 @@ def read(work, name):
         return [{key: value(text) for key, text in row.items()} for row in csv.DictReader(file)]
 
 
+def drawing_file(work, label):
+    return work / f"{label}-drawing.csv"
+
+
 def measure_native(options):
+    subprocess.run([options.bench, "--csv", drawing_file(options.work, "headless"), "compose"], check=True)
+
     def native(folder, settings):
         return Headless(options.headless, folder, settings)
 
@@ -120,6 +139,9 @@ def measure_wine(options):
         def under_wine(folder, settings):
             return OnWine(desk, options.exe, options.post, folder, settings)
 
+        drawing = wine.windows_path(drawing_file(options.work, "wine"))
+        if desk.start(options.bench_exe, "--csv", drawing, "compose").wait(300):
+            raise RuntimeError("hyrax-bench.exe does not measure what drawing takes")
         warm = under_wine(options.work / "profiles" / "warm", config(1, "rest", FAST))
         warm.tell()
         warm.end()
@@ -188,6 +210,10 @@ def goals(data):
     moving = one(native, 100, "flying")
     resting = [row for rows in (native, on_wine) for row in rows if row["state"] == "rest"]
     woken = max(row["presents"] + row["timer_wakeups"] for row in resting)
+    drawn = {row["renderer"]: row["drawn_ms"] for row in data["headless-drawing"]}
+    for renderer, most in MOST_DRAWING.items():
+        yield (f"a hundred sprites of 128x128 drawn into 1920x1080, {RENDERERS[renderer]}", f"<= {most} ms",
+               f"{drawn[renderer]:.2f} ms", drawn[renderer] <= most)  # fmt: skip
     starts = {name: data[f"{name}-start"][0]["start"] for name in ("headless", "wine")}
     for state in ("floor", "thrown", "flying"):
         used = at_its_rate(one(native, 100, state), "process")
@@ -195,8 +221,8 @@ def goals(data):
                f"{core(used)} core", used <= 0.02)  # fmt: skip
     dense = data["headless-dense"][0]
     work = FAST * dense["process_core"] / dense["frames"]
-    yield (f"the same, flying, 60 of {DENSE} frames a second in which pets come as far", "<= 0.02 core", f"{core(work)} core",
-           work <= 0.02)  # fmt: skip
+    yield (f"the same, flying, 60 of {DENSE} frames a second in which pets come as far", "<= 0.02 core",
+           f"{core(work)} core", work <= 0.02)  # fmt: skip
     yield ("all at rest: presents and timer wake-ups", "0", f"{woken:.1f} a second", woken == 0)
     for state in ("floor", "thrown", "flying"):
         parts = [at_its_rate(one(on_wine, 100, state, SLOW), key) for key in ("process", "wineserver", "X")]
@@ -214,6 +240,13 @@ def goals(data):
            machine["exe"] <= 4e6)  # fmt: skip
 
 
+def drawing_table(data):
+    rows = [*data["headless-drawing"], *(row for row in data["wine-drawing"] if row["renderer"] == "gdiplus")]
+    figure = lambda value: "" if value == "" else f"{value:.2f}"
+    body = [[RENDERERS[row["renderer"]], *(figure(row[key]) for key in DRAWING)] for row in rows]
+    return table(["ms", *DRAWING.values()], body)
+
+
 def write_document(options):
     data = {name: read(options.work, name) for name in INPUTS}
     machine = data["machine"][0]
@@ -222,6 +255,7 @@ def write_document(options):
         machine=f"{machine['cpu']}, {machine['cores']:.0f} processors, Linux, {machine['day']}; "
         f"the machine's load was {machine['load']:.1f}",
         goals=table(["what", "goal", "measured", ""], rows),
+        drawing=drawing_table(data),
         headless=costs_table(data["headless"], [("process, core", "process")]),
         wine=costs_table(
             data["wine"], [("process, core", "process"), ("wineserver, core", "wineserver"), ("X, core", "X")]
@@ -233,7 +267,7 @@ def write_document(options):
 
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    for program in ("exe", "post", "headless"):
+    for program in ("exe", "post", "bench_exe", "headless", "bench"):
         options.add_argument(program, type=lambda text: pathlib.Path(text).resolve())
     options.add_argument("--seconds", type=float, default=10, help="to measure each scene")
     options.add_argument("--repeat", type=int, default=3, help="runs of each moving scene")

@@ -108,8 +108,12 @@ TEST_CASE("no pet is nowhere while panes part, meet and slide") {
 TEST_CASE("a window stays where it is when its screen changes around it") {
     const std::vector<Rect> sprites{{500, 600, side, side}, {1700, 600, side, side}};
     const Rect narrow{0, 0, 1280, 900};
-    const std::vector<Monitor> before{{.bounds = screen, .work = screen, .primary = true}};
-    const std::vector<Monitor> after{{.bounds = narrow, .work = narrow, .primary = true}};
+    const std::vector<Monitor> before{
+        {.bounds = screen, .work = screen, .primary = true, .name = "one"}
+    };
+    const std::vector<Monitor> after{
+        {.bounds = narrow, .work = narrow, .primary = true, .name = "one"}
+    };
 
     const std::vector<Pane> both = plan_panes({before, sprites}, {}, 0);
     REQUIRE(both.size() == 2);

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Other programs, as hyrax meets them, and what they can see of its windows.
-//   policy_probe front x y width height    Shows a window there and takes the foreground.
-//   policy_probe panes                     Prints a line for each pane.
-//   policy_probe watch seconds             Looks at panes all the time; prints how often one was
-//                                          visible, and visible without NonRudeHWND.
-//   policy_probe send class message wparam lparam   Sends it, a number or the name of a registered
-//                                          one, to each window of the class.
-//   policy_probe post class message count  Posts it that many times.
-//   policy_probe flood message wparam lparam   Posts a thousand messages of no meaning to the
-//   daemon,
-//                                          then this one.
-//   policy_probe lower                     Takes its place on top from each pane, and tells of a
-//   new
-//                                          front window.
-//   policy_probe end_session               Ends the session, and the daemon's process with it.
+//   policy_probe front x y width height
+//       Shows a window there and takes the foreground.
+//   policy_probe panes
+//       Prints a line for each pane.
+//   policy_probe watch seconds
+//       Looks at panes all the time; prints how often one was visible, visible without NonRudeHWND,
+//       and below a visible window.
+//   policy_probe send class message wparam lparam
+//       Sends it, a number or the name of a registered one, to each window of the class.
+//   policy_probe post class message count
+//       Posts it that many times.
+//   policy_probe flood message wparam lparam
+//       Posts a thousand messages of no meaning to the daemon, then this one.
+//   policy_probe lower
+//       Takes its place on top from each pane, and tells of a new front window.
+//   policy_probe end_session
+//       Ends the session, and the daemon's process with it.
 #include "tests/end_to_end/probe_window.h"
 
 #include <cstdio>
@@ -99,9 +102,11 @@ int watch(double seconds) {
     const ULONGLONG end = ::GetTickCount64() + static_cast<ULONGLONG>(seconds * 1000.0);
     int seen = 0;
     int rude = 0;
+    int covered = 0;
     hyrax::probe::tell("ready");
     while (::GetTickCount64() < end) {
         for (const HWND pane : windows_of("hyrax.pane")) {
+            covered += covers(pane) > 0 ? 1 : 0;
             const bool has_property = ::GetPropW(pane, L"NonRudeHWND") != nullptr;
             if (::IsWindowVisible(pane) != 0) {
                 ++seen;
@@ -110,7 +115,7 @@ int watch(double seconds) {
         }
         ::Sleep(1);
     }
-    std::printf("seen %d rude %d\n", seen, rude);
+    std::printf("seen %d rude %d covered %d\n", seen, rude, covered);
     return 0;
 }
 
