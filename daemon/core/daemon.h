@@ -196,6 +196,7 @@ private:
     // daemon_presence.cpp
     void use_presence_settings();
     void heed_presence(Ticks now);
+    double frame_rate() const;
     void choose_conduct(bool moving, bool animated);
 
     // daemon_system.cpp

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How the daemon keeps out of the way: what presence.h decides, carried out.
 #include "daemon/core/daemon.h"
+#include "daemon/core/dirty.h"
 
 #include <algorithm>
 
@@ -30,7 +31,16 @@ void Daemon::heed_presence(Ticks now) {
     }
     engine_.freeze(so.frozen, clock_.at(now));
     scripts_.set_calm(so.calm);
-    pacer_.set_rate(std::min(config_.fps, so.fps));
+    pacer_.set_rate(frame_rate());
+}
+
+/// What the settings allow, and the monitors show on which pets are [frames/s].
+double Daemon::frame_rate() const {
+    const double most = std::min(config_.fps, presence_.decisions().fps);
+    if (most <= presence_.least_refresh_rate()) {
+        return most;
+    }
+    return std::min(most, presence_.refresh_rate_at(places_of(frame_)));
 }
 
 void Daemon::choose_conduct(bool moving, bool animated) {

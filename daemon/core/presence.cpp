@@ -36,6 +36,16 @@ bool could_be_in_the_way(const FrontWindow& window) {
            std::ranges::find(shell_classes, window.window_class) == shell_classes.end();
 }
 
+/// [frames/s]; infinite where it does not tell.
+double rate_of(const Monitor& monitor) {
+    if (monitor.refresh_rate <= 1) {
+        return infinity;
+    }
+    // Cut to a whole number: 59 stands for 59.94.
+    const bool cut = (monitor.refresh_rate + 1) % 6 == 0;
+    return monitor.refresh_rate + (cut ? 1 : 0);
+}
+
 }  // namespace
 
 bool fills(const FrontWindow& window, const Monitor& monitor) {
@@ -80,9 +90,8 @@ const Decisions& Presence::decide(Ticks now) {
     next.windowless = everywhere_.act == FullScreenAct::hide_everywhere;
     next.unseen = facts_.locked || facts_.disconnected || facts_.display_off || facts_.suspended;
     next.world_stands = next.windowless || (next.unseen && settings_.on_resume == OnResume::go_on);
-    next.fps = fastest_refresh();
     if (facts_.on_battery) {
-        next.fps = std::min(next.fps, settings_.fps_on_battery);
+        next.fps = settings_.fps_on_battery;
     }
     if (facts_.battery_saver || facts_.remote_session) {
         next.fps = std::min(next.fps, settings_.fps_saving);
@@ -203,21 +212,26 @@ void Presence::settle(Watched& place, FullScreenAct wanted, Ticks now) {
     }
 }
 
-/// Of the monitors that may show pets; infinite where one does not tell.
-double Presence::fastest_refresh() const {
-    int fastest = 0;
-    for (const Watched& place : monitors_) {
-        if (place.act == FullScreenAct::hide) {
-            continue;
+double Presence::refresh_rate_at(std::span<const Rect> places) const {
+    double fastest = 0.0;
+    for (const Watched& watched : monitors_) {
+        const Rect& bounds = watched.monitor.bounds;
+        const bool shows = std::ranges::any_of(places, [&bounds](const Rect& place) {
+            return !intersection(place, bounds).empty();
+        });
+        if (watched.act != FullScreenAct::hide && shows) {
+            fastest = std::max(fastest, rate_of(watched.monitor));
         }
-        if (place.monitor.refresh_rate <= 1) {
-            return infinity;
-        }
-        fastest = std::max(fastest, place.monitor.refresh_rate);
     }
-    // Cut to a whole number: 59 stands for 59.94.
-    const bool cut = (fastest + 1) % 6 == 0;
-    return fastest == 0 ? infinity : fastest + (cut ? 1 : 0);
+    return fastest > 0.0 ? fastest : infinity;
+}
+
+double Presence::least_refresh_rate() const {
+    double least = infinity;
+    for (const Watched& place : monitors_) {
+        least = std::min(least, rate_of(place.monitor));
+    }
+    return least;
 }
 
 std::string Presence::note_on(const Decisions& decisions) const {

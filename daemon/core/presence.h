@@ -49,7 +49,7 @@ struct Decisions {
     bool windowless = false;      ///< No window may exist.
     bool unseen = false;          ///< Nobody sees the session: draw nothing, wake for nothing.
     bool world_stands = false;    ///< The time of pets and scripts stands still.
-    double fps = infinity;        ///< Upper bound [frames/s].
+    double fps = infinity;        ///< Upper bound, whatever the monitors show [frames/s].
     bool calm = false;            ///< Reduced motion: nothing moves unless somebody moves it.
     std::string note{};           ///< One line on why pets are not as usual; else empty.
     bool operator==(const Decisions&) const = default;
@@ -72,6 +72,11 @@ public:
     Ticks due() const;
     /// Something is in the way, or just was: the system may not tell when it ends.
     bool wary() const;
+    /// What the fastest of those monitors shows that have one of these places on them; infinite
+    /// where one of them does not tell [frames/s].
+    double refresh_rate_at(std::span<const Rect> places) const;
+    /// What every monitor shows [frames/s].
+    double least_refresh_rate() const;
     /// Whether the user may be shown a notice now: nobody fills a screen, somebody looks.
     bool may_disturb() const;
 
@@ -95,7 +100,6 @@ private:
     bool works_on(const Monitor& monitor) const;
     static Ticks switches_at(const Watched& place);
     static void settle(Watched& place, FullScreenAct wanted, Ticks now);
-    double fastest_refresh() const;
     std::string note_on(const Decisions& decisions) const;
 
     PresenceSettings settings_;

@@ -223,27 +223,42 @@ TEST_CASE("rules for programs") {
     }
 }
 
-TEST_CASE("frames: no more than the fastest screen shows, fewer on battery, fewest when saving") {
-    CHECK(World().told({}).fps == 144.0);
+TEST_CASE("frames: fewer on battery, fewest when saving") {
+    CHECK(World().told({}).fps == std::numeric_limits<double>::infinity());
     CHECK(World().told({.on_battery = true}).fps == 30.0);
     CHECK(World().told({.on_battery = true, .battery_saver = true}).fps == 15.0);
     CHECK(World().told({.battery_saver = true}).fps == 15.0);
     CHECK(World().told({.remote_session = true}).fps == 15.0);
+}
+
+TEST_CASE("frames: no more than the fastest screen shows that has pets") {
+    constexpr double unlimited = std::numeric_limits<double>::infinity();
+    const Rect on_main{main_bounds.x + 10, main_bounds.y + 10, 96, 96};
+    const Rect on_side{side_bounds.x + 10, side_bounds.y + 10, 96, 96};
+    World world;
+    CHECK(world.presence.least_refresh_rate() == 60.0);
+    CHECK(world.presence.refresh_rate_at({}) == unlimited);
+    CHECK(world.presence.refresh_rate_at(Rects{on_main}) == 60.0);
+    CHECK(world.presence.refresh_rate_at(Rects{on_side}) == 144.0);
+    CHECK(world.presence.refresh_rate_at(Rects{on_main, on_side}) == 144.0);
     // The fast screen shows a game.
-    CHECK(World().told(in_front(window(side_bounds))).fps == 60.0);
+    world.told(in_front(window(side_bounds)));
+    CHECK(world.presence.refresh_rate_at(Rects{on_main, on_side}) == 60.0);
 
     Presence ntsc;
     Monitor monitor = main_monitor;
     monitor.refresh_rate = 59;
     ntsc.set_monitors(std::vector{monitor});
-    CHECK(ntsc.decide(0).fps == 60.0);
+    CHECK(ntsc.refresh_rate_at(Rects{on_main}) == 60.0);
+    CHECK(ntsc.least_refresh_rate() == 60.0);
     monitor.refresh_rate = 75;
     ntsc.set_monitors(std::vector{monitor});
-    CHECK(ntsc.decide(0).fps == 75.0);
+    CHECK(ntsc.refresh_rate_at(Rects{on_main}) == 75.0);
     for (const int unknown : {0, 1}) {
         monitor.refresh_rate = unknown;
         ntsc.set_monitors(std::vector{monitor});
-        CHECK(ntsc.decide(0).fps == std::numeric_limits<double>::infinity());
+        CHECK(ntsc.refresh_rate_at(Rects{on_main}) == unlimited);
+        CHECK(ntsc.least_refresh_rate() == unlimited);
     }
 }
 

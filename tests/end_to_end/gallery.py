@@ -64,7 +64,7 @@ def window_tops(exe, probe, paper, picture):
 
 def tray_menu(exe, paper, picture):
     with desktop.VirtualDesktop(wallpaper=paper, click_through=False) as desk:
-        daemon = Daemon(desk, exe, pets_at((700, 300), (900, 200)))
+        daemon = Daemon(desk, exe, pets_at((700, 300), (900, 200)), state={"greeted": True})
         daemon.wait_for_rest(2)
         (tray,) = desk.windows("Wine System Tray")
         desk.click(tray.x + 10, tray.y + 10, button=3)

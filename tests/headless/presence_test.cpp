@@ -183,6 +183,23 @@ TEST_CASE("fewer frames on battery, and the same flight") {
     CHECK(std::fabs(nearly_there - place) <= 200.0 / 15.0);
 }
 
+TEST_CASE("frames: as many as the screen shows that the pet is on") {
+    std::vector<Monitor> monitors{screen({0, 0, 1000, 800}), screen({1000, 0, 1000, 800})};
+    monitors[0].refresh_rate = 60;
+    monitors[1].refresh_rate = 144;
+    RecordedDaemon recorded(4.0, monitors);
+    // It comes to the second screen after two seconds.
+    recorded.config(R"({"pets": {"start": [{"x": 300, "y": 100, "vx": 320}]},
+        "physics": {"gravity": 0, "air_drag": 1}, "overlay": {"fps": 240}})");
+    std::size_t before = 0;
+    recorded.look(1.5, [&](const Daemon&) { before = recorded.desktop.presents(); });
+    std::size_t between = 0;
+    recorded.look(2.5, [&](const Daemon&) { between = recorded.desktop.presents(); });
+    recorded.run();
+    CHECK(before == doctest::Approx(90).epsilon(0.05));
+    CHECK(recorded.desktop.presents() - between == doctest::Approx(216).epsilon(0.05));
+}
+
 TEST_CASE("idle animations run at their own rate") {
     RecordedDaemon recorded(30.0);
     recorded.config(R"({"pets": {"start": [{"x": 300, "y": 900}], "drowsy_after": 60}})");
