@@ -72,10 +72,10 @@ public:
     Ticks due() const;
     /// Something is in the way, or just was: the system may not tell when it ends.
     bool wary() const;
-    /// What the fastest of those monitors shows that have one of these places on them; infinite
-    /// where one of them does not tell [frames/s].
+    /// Of the fastest of those monitors that have one of these places on them; infinite where one
+    /// of them does not tell, or where there is none [frames/s].
     double refresh_rate_at(std::span<const Rect> places) const;
-    /// What every monitor shows [frames/s].
+    /// Of the slowest monitor that tells; infinite where none does [frames/s].
     double least_refresh_rate() const;
     /// Whether the user may be shown a notice now: nobody fills a screen, somebody looks.
     bool may_disturb() const;

@@ -32,7 +32,7 @@ struct ReadKind {
     Result<SpriteSet> set;
 };
 
-/// What most_sheet_pixels leaves for the sheets of others.
+/// What most_sheet_pixels leaves for the sheets of others [pixels].
 std::size_t room_beside(std::span<const ReadKind> kinds);
 
 struct LoadedKinds {

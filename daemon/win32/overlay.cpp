@@ -220,9 +220,7 @@ void Overlay::use_clicks(PaneClicks clicks) {
 }
 
 bool Overlay::buried() const {
-    return std::ranges::any_of(windows_, [this](const auto& window) {
-        return window->buried(layer_);
-    });
+    return std::ranges::any_of(windows_, [](const auto& window) { return window->buried(); });
 }
 
 void Overlay::raise() {

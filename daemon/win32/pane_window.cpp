@@ -284,14 +284,14 @@ void PaneWindow::use_clicks(PaneClicks clicks) {
     );
 }
 
-bool PaneWindow::buried(Layer layer) const {
-    if (!visible_ || layer == Layer::bottom) {
+bool PaneWindow::buried() const {
+    if (!visible_ || layer_ == Layer::bottom) {
         return false;
     }
     if ((::GetWindowLongPtrW(window(), GWL_EXSTYLE) & WS_EX_TOPMOST) == 0) {
         return true;
     }
-    return layer == Layer::above_taskbar && below_taskbar();
+    return layer_ == Layer::above_taskbar && below_taskbar();
 }
 
 bool PaneWindow::below_taskbar() const {

@@ -70,7 +70,7 @@ public:
     void take_place(Layer layer);
     /// No longer topmost, or, if it should be above taskbars, below one that lies where the pane
     /// is. Whoever is to be at the bottom never is.
-    bool buried(Layer layer) const;
+    bool buried() const;
     /// The next show() draws everything: the system may have lost what it had.
     void forget_pixels() { complete_ = false; }
 

@@ -120,7 +120,7 @@ def read(work, name):
 
 
 def measure_drawing(options):
-    """Each figure is the least of several runs, for the same reason."""
+    """Each figure is the least of several runs: other tenants of the machine only add to it."""
 
     def natively(file):
         subprocess.run([options.bench, "--csv", file, "compose"], check=True, stdout=subprocess.DEVNULL)

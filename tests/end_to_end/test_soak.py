@@ -81,8 +81,8 @@ def soak(desk, options):
 
 
 def judge(samples):
-    """What has grown: lines of text. What is read aside is held for a moment, so that the least of
-    each half is what counts."""
+    """What has grown: lines of text. Some is held for a moment only, so that the least of each half is
+    what counts."""
     half = len(samples) // 2
     problems = []
     for key, first in samples[0].items():
