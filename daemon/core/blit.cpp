@@ -11,8 +11,8 @@ namespace hyrax {
 namespace {
 
 // In the order of Kernel.
-constexpr std::array<RowBlend, 3> row_blends{&blend_scalar, &blend_sse2, &blend_avx2};
-constexpr std::array<FadedRowBlend, 3> faded_row_blends{
+constexpr std::array<Blend, 3> blends{&blend_scalar, &blend_sse2, &blend_avx2};
+constexpr std::array<FadedBlend, 3> faded_blends{
     &blend_faded_scalar, &blend_faded_sse2, &blend_faded_avx2
 };
 
@@ -59,7 +59,7 @@ void erase_places(
 
 std::span<const Kernel> available_blit_kernels() {
     const std::span<const Kernel> all = available_kernels();
-    return all.first(std::min(all.size(), row_blends.size()));
+    return all.first(std::min(all.size(), blends.size()));
 }
 
 Kernel best_blit_kernel() {
@@ -81,18 +81,19 @@ void blit(const PixelView& target, const Rect& clip, const Stamp& stamp, Kernel 
         return;
     }
     const auto stride = static_cast<std::ptrdiff_t>(size.width);
-    const Pixel* from =
-        stamp.image.pixels.data() + (part.y - stamp.at.y) * stride + (part.x - stamp.at.x);
-    Pixel* to = row(target, part.x, part.y);
+    const Rows rows{
+        .to = row(target, part.x, part.y),
+        .to_stride = target.stride,
+        .from = stamp.image.pixels.data() + (part.y - stamp.at.y) * stride + (part.x - stamp.at.x),
+        .from_stride = stride,
+        .width = part.width,
+        .count = part.height,
+    };
     const auto index = static_cast<std::size_t>(kernel);
-    const RowBlend blend = row_blends[index];
-    const FadedRowBlend blend_faded = faded_row_blends[index];
-    for (int y = 0; y < part.height; ++y, from += stride, to += target.stride) {
-        if (stamp.opacity == opaque) {
-            blend(to, from, part.width);
-        } else {
-            blend_faded(to, from, part.width, stamp.opacity);
-        }
+    if (stamp.opacity == opaque) {
+        blends[index](rows);
+    } else {
+        faded_blends[index](rows, stamp.opacity);
     }
 }
 

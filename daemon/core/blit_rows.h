@@ -1,23 +1,40 @@
 // SPDX-License-Identifier: MIT
-// One row of pixels over another: what the blitter's kernels have in common.
+// Rows of pixels over others: what the blitter's kernels have in common.
 #pragma once
 
 #include "daemon/core/image.h"
 
+#include <cstddef>
+
 namespace hyrax {
 
-/// Source-over of `count` pixels. All kernels give the same bits for any pixels that are
-/// premultiplied.
-using RowBlend = void (*)(Pixel* to, const Pixel* from, int count);
+/// A rectangle of a picture, and the pixels it goes over.
+struct Rows {
+    Pixel* to = nullptr;
+    std::ptrdiff_t to_stride = 0;  ///< Pixels from one row to the next.
+    const Pixel* from = nullptr;
+    std::ptrdiff_t from_stride = 0;
+    int width = 0;
+    int count = 0;
+
+    void next() {
+        to += to_stride;
+        from += from_stride;
+        --count;
+    }
+};
+
+/// Source-over. All kernels give the same bits for any pixels that are premultiplied.
+using Blend = void (*)(Rows rows);
 /// The same, with the source first faded to opacity / 255; 1 to 254.
-using FadedRowBlend = void (*)(Pixel* to, const Pixel* from, int count, unsigned opacity);
+using FadedBlend = void (*)(Rows rows, unsigned opacity);
 
-void blend_scalar(Pixel* to, const Pixel* from, int count);
-void blend_sse2(Pixel* to, const Pixel* from, int count);
-void blend_avx2(Pixel* to, const Pixel* from, int count);
+void blend_scalar(Rows rows);
+void blend_sse2(Rows rows);
+void blend_avx2(Rows rows);
 
-void blend_faded_scalar(Pixel* to, const Pixel* from, int count, unsigned opacity);
-void blend_faded_sse2(Pixel* to, const Pixel* from, int count, unsigned opacity);
-void blend_faded_avx2(Pixel* to, const Pixel* from, int count, unsigned opacity);
+void blend_faded_scalar(Rows rows, unsigned opacity);
+void blend_faded_sse2(Rows rows, unsigned opacity);
+void blend_faded_avx2(Rows rows, unsigned opacity);
 
 }  // namespace hyrax

@@ -22,20 +22,24 @@ Pixel source_over(Pixel source, Pixel target) {
 
 }  // namespace
 
-void blend_scalar(Pixel* to, const Pixel* from, int count) {
-    for (int i = 0; i < count; ++i) {
-        if (alpha_of(from[i]) == 255) {
-            to[i] = from[i];
-        } else if (from[i] != 0) {
-            to[i] = source_over(from[i], to[i]);
+void blend_scalar(Rows rows) {
+    for (; rows.count > 0; rows.next()) {
+        for (int i = 0; i < rows.width; ++i) {
+            if (alpha_of(rows.from[i]) == 255) {
+                rows.to[i] = rows.from[i];
+            } else if (rows.from[i] != 0) {
+                rows.to[i] = source_over(rows.from[i], rows.to[i]);
+            }
         }
     }
 }
 
-void blend_faded_scalar(Pixel* to, const Pixel* from, int count, unsigned opacity) {
-    for (int i = 0; i < count; ++i) {
-        if (from[i] != 0) {
-            to[i] = source_over(times(from[i], opacity), to[i]);
+void blend_faded_scalar(Rows rows, unsigned opacity) {
+    for (; rows.count > 0; rows.next()) {
+        for (int i = 0; i < rows.width; ++i) {
+            if (rows.from[i] != 0) {
+                rows.to[i] = source_over(times(rows.from[i], opacity), rows.to[i]);
+            }
         }
     }
 }

@@ -49,48 +49,73 @@ __m128i source_over(__m128i source, __m128i target) {
     return _mm_add_epi32(source, under);
 }
 
-}  // namespace
-
-void blend_sse2(Pixel* to, const Pixel* from, int count) {
-    int i = 0;
-    // Mostly they are all clear or all opaque: two tests for eight pixels, not for four.
-    for (; i + 2 * lanes <= count; i += 2 * lanes) {
-        const __m128i first = load(from + i);
-        const __m128i second = load(from + i + lanes);
-        if (all_clear(_mm_or_si128(first, second))) {
-            continue;
-        }
-        if (all_opaque(_mm_and_si128(first, second))) {
-            store(to + i, first);
-            store(to + i + lanes, second);
-        } else {
-            store(to + i, source_over(first, load(to + i)));
-            store(to + i + lanes, source_over(second, load(to + i + lanes)));
-        }
-    }
-    if (i + lanes <= count) {
-        store(to + i, source_over(load(from + i), load(to + i)));
-        i += lanes;
-    }
-    blend_scalar(to + i, from + i, count - i);
+// What a width leaves over is drawn with the last four pixels of its row, without those that have
+// been drawn already: nothing changes below clear ones.
+__m128i undrawn(int width) {
+    return _mm_cmpgt_epi32(_mm_setr_epi32(0, 1, 2, 3), _mm_set1_epi32(lanes - 1 - width % lanes));
 }
 
-void blend_faded_sse2(Pixel* to, const Pixel* from, int count, unsigned opacity) {
+__m128i faded(__m128i pixels, unsigned opacity) {
     const __m128i zero = _mm_setzero_si128();
     const __m128i factor = _mm_set1_epi16(static_cast<short>(opacity));
-    int i = 0;
-    for (; i + lanes <= count; i += lanes) {
-        const __m128i full = load(from + i);
-        if (all_clear(full)) {
-            continue;
-        }
-        const __m128i source = _mm_packus_epi16(
-            times(_mm_unpacklo_epi8(full, zero), factor),
-            times(_mm_unpackhi_epi8(full, zero), factor)
-        );
-        store(to + i, source_over(source, load(to + i)));
+    return _mm_packus_epi16(
+        times(_mm_unpacklo_epi8(pixels, zero), factor),
+        times(_mm_unpackhi_epi8(pixels, zero), factor)
+    );
+}
+
+void draw_over(Pixel* to, __m128i source) {
+    if (!all_clear(source)) {
+        store(to, source_over(source, load(to)));
     }
-    blend_faded_scalar(to + i, from + i, count - i, opacity);
+}
+
+}  // namespace
+
+void blend_sse2(Rows rows) {
+    if (rows.width < lanes) {
+        return blend_scalar(rows);
+    }
+    const int last = rows.width - lanes;
+    const __m128i left_over = undrawn(rows.width);
+    for (; rows.count > 0; rows.next()) {
+        int i = 0;
+        // Mostly they are all clear or all opaque: two tests for eight pixels, not for four.
+        for (; i <= last - lanes; i += 2 * lanes) {
+            const __m128i first = load(rows.from + i);
+            const __m128i second = load(rows.from + i + lanes);
+            if (all_clear(_mm_or_si128(first, second))) {
+                continue;
+            }
+            Pixel* const to = rows.to + i;
+            if (all_opaque(_mm_and_si128(first, second))) {
+                store(to, first);
+                store(to + lanes, second);
+            } else {
+                store(to, source_over(first, load(to)));
+                store(to + lanes, source_over(second, load(to + lanes)));
+            }
+        }
+        if (i <= last) {
+            draw_over(rows.to + i, load(rows.from + i));
+        }
+        draw_over(rows.to + last, _mm_and_si128(load(rows.from + last), left_over));
+    }
+}
+
+void blend_faded_sse2(Rows rows, unsigned opacity) {
+    if (rows.width < lanes) {
+        return blend_faded_scalar(rows, opacity);
+    }
+    const int last = rows.width - lanes;
+    const __m128i left_over = undrawn(rows.width);
+    for (; rows.count > 0; rows.next()) {
+        for (int i = 0; i <= last; i += lanes) {
+            draw_over(rows.to + i, faded(load(rows.from + i), opacity));
+        }
+        const __m128i source = _mm_and_si128(load(rows.from + last), left_over);
+        draw_over(rows.to + last, faded(source, opacity));
+    }
 }
 
 }  // namespace hyrax
