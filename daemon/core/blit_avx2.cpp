@@ -42,24 +42,39 @@ constexpr int lanes = 8;
     return _mm256_sub_epi16(_mm256_set1_epi16(255), alphas);
 }
 
-// One channel to each 16-bit lane: pixels 0, 1, 4, 5 and 2, 3, 6, 7; packing undoes it.
-[[gnu::target("avx2"), gnu::always_inline]] inline void source_over(Pixel* to, __m256i source) {
-    const __m256i zero = _mm256_setzero_si256();
-    const __m256i target = load(to);
-    const __m256i low =
-        times(_mm256_unpacklo_epi8(target, zero), transparency(_mm256_unpacklo_epi8(source, zero)));
-    const __m256i high =
-        times(_mm256_unpackhi_epi8(target, zero), transparency(_mm256_unpackhi_epi8(source, zero)));
-    store(to, _mm256_add_epi32(source, _mm256_packus_epi16(low, high)));
+// One channel to each 16-bit lane: of pixels 0, 1, 4, 5 and of 2, 3, 6, 7. Packing undoes it.
+[[gnu::target("avx2"), gnu::always_inline]] inline __m256i low_half(__m256i pixels) {
+    return _mm256_unpacklo_epi8(pixels, _mm256_setzero_si256());
 }
 
-[[gnu::target("avx2"), gnu::always_inline]] inline __m256i faded(__m256i pixels, unsigned opacity) {
-    const __m256i zero = _mm256_setzero_si256();
-    const __m256i factor = _mm256_set1_epi16(static_cast<short>(opacity));
-    return _mm256_packus_epi16(
-        times(_mm256_unpacklo_epi8(pixels, zero), factor),
-        times(_mm256_unpackhi_epi8(pixels, zero), factor)
+[[gnu::target("avx2"), gnu::always_inline]] inline __m256i high_half(__m256i pixels) {
+    return _mm256_unpackhi_epi8(pixels, _mm256_setzero_si256());
+}
+
+// `low` and `high` are the halves of the source.
+[[gnu::target("avx2"), gnu::always_inline]] inline void source_over(
+    Pixel* to, __m256i source, __m256i low, __m256i high
+) {
+    const __m256i target = load(to);
+    const __m256i under = _mm256_packus_epi16(
+        times(low_half(target), transparency(low)), times(high_half(target), transparency(high))
     );
+    store(to, _mm256_add_epi32(source, under));
+}
+
+[[gnu::target("avx2"), gnu::always_inline]] inline void draw(Pixel* to, __m256i source) {
+    source_over(to, source, low_half(source), high_half(source));
+}
+
+[[gnu::target("avx2"), gnu::always_inline]] inline void draw_faded(
+    Pixel* to, __m256i source, unsigned opacity
+) {
+    if (!all_clear(source)) {
+        const __m256i factor = _mm256_set1_epi16(static_cast<short>(opacity));
+        const __m256i low = times(low_half(source), factor);
+        const __m256i high = times(high_half(source), factor);
+        source_over(to, _mm256_packus_epi16(low, high), low, high);
+    }
 }
 
 // As in blit_sse2.cpp.
@@ -85,12 +100,12 @@ constexpr int lanes = 8;
             if (all_opaque(source)) {
                 store(rows.to + i, source);
             } else {
-                source_over(rows.to + i, source);
+                draw(rows.to + i, source);
             }
         }
         const __m256i source = _mm256_and_si256(load(rows.from + last), left_over);
         if (!all_clear(source)) {
-            source_over(rows.to + last, source);
+            draw(rows.to + last, source);
         }
     }
 }
@@ -103,15 +118,9 @@ constexpr int lanes = 8;
     const __m256i left_over = undrawn(rows.width);
     for (; rows.count > 0; rows.next()) {
         for (int i = 0; i <= last; i += lanes) {
-            const __m256i source = load(rows.from + i);
-            if (!all_clear(source)) {
-                source_over(rows.to + i, faded(source, opacity));
-            }
+            draw_faded(rows.to + i, load(rows.from + i), opacity);
         }
-        const __m256i source = _mm256_and_si256(load(rows.from + last), left_over);
-        if (!all_clear(source)) {
-            source_over(rows.to + last, faded(source, opacity));
-        }
+        draw_faded(rows.to + last, _mm256_and_si256(load(rows.from + last), left_over), opacity);
     }
 }
 

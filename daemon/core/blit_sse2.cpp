@@ -64,9 +64,15 @@ __m128i faded(__m128i pixels, unsigned opacity) {
     );
 }
 
-void draw_over(Pixel* to, __m128i source) {
+void draw(Pixel* to, __m128i source) {
     if (!all_clear(source)) {
         store(to, source_over(source, load(to)));
+    }
+}
+
+void draw_faded(Pixel* to, __m128i source, unsigned opacity) {
+    if (!all_clear(source)) {
+        store(to, source_over(faded(source, opacity), load(to)));
     }
 }
 
@@ -97,9 +103,9 @@ void blend_sse2(Rows rows) {
             }
         }
         if (i <= last) {
-            draw_over(rows.to + i, load(rows.from + i));
+            draw(rows.to + i, load(rows.from + i));
         }
-        draw_over(rows.to + last, _mm_and_si128(load(rows.from + last), left_over));
+        draw(rows.to + last, _mm_and_si128(load(rows.from + last), left_over));
     }
 }
 
@@ -111,10 +117,9 @@ void blend_faded_sse2(Rows rows, unsigned opacity) {
     const __m128i left_over = undrawn(rows.width);
     for (; rows.count > 0; rows.next()) {
         for (int i = 0; i <= last; i += lanes) {
-            draw_over(rows.to + i, faded(load(rows.from + i), opacity));
+            draw_faded(rows.to + i, load(rows.from + i), opacity);
         }
-        const __m128i source = _mm_and_si128(load(rows.from + last), left_over);
-        draw_over(rows.to + last, faded(source, opacity));
+        draw_faded(rows.to + last, _mm_and_si128(load(rows.from + last), left_over), opacity);
     }
 }
 
