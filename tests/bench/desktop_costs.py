@@ -3,7 +3,7 @@
 """Measures what pets cost on a desktop and writes docs/desktop_costs.md.
 
 desktop_costs.py hyrax.exe post_message.exe hyrax-bench.exe hyrax-headless hyrax-bench [--seconds N]
-                 [--repeat N] [--docs DIR] [--work DIR] [--measure [drawing] [native] [wine]]
+                 [--repeat N] [--docs DIR] [--work DIR] [--measure [native] [wine]]
 
 The CSV files go to the working folder; what is not measured again is taken from those that are
 there. The text is desktop_costs.md.in, where ${...} stands for a figure or a table.
@@ -29,6 +29,7 @@ FAST, SLOW = 60, 25  # frames a second
 DENSE = 1000  # so many that a frame finds its pixels in the caches
 STILL_AFTER = 26  # seconds until pets that lie on the floor have breathed their last picture
 STARTS = 7
+FEW = 2  # runs of a moving scene that no goal is about
 
 WORDS = {"flying": "flying", "thrown": "thrown", "floor": "along the floor", "rest": "at rest"}
 
@@ -39,10 +40,11 @@ DRAWING = {
     "erased_drawn_ms": "all erased, drawn",
     "next_frame_ms": "next frame",
     "cold_ms": "next frame, cold",
+    "only_erased_cold_ms": "only erased, cold",
 }
 
 INPUTS = (
-    *("headless", "headless-dense", "headless-start", "headless-drawing"),
+    *("headless", "headless-start", "headless-drawing"),
     *("wine", "wine-start", "wine-drawing", "machine"),
 )
 
@@ -66,26 +68,30 @@ def cores_for_all_frames(row):
     return sum(at_its_rate(row, key[:-5]) for key in row if key.endswith("_core"))
 
 
-def measure_scenes(show, work, label, seconds, repeat, chosen):
-    """Each scene so often, with the others in between; the run that took least, for other tenants of the
-    machine only add to what is measured."""
+def turns_of(scene, repeat):
+    pets, state, _ = scene
+    return 1 if state == "rest" else repeat if pets == 100 else min(repeat, FEW)
+
+
+def measure_scenes(show, options, label, chosen, draw):
+    """Each scene so often, with the others and what draw() measures in between; the run that took least, for
+    other tenants of the machine only add to what is measured."""
     best = {}
-    for turn in range(repeat):
-        for pets, state, fps in chosen:
-            if state == "rest" and turn > 0:
-                continue
+    for turn in range(options.repeat):
+        draw()
+        for scene in (scene for scene in chosen if turn < turns_of(scene, options.repeat)):
+            pets, state, fps = scene
             name = f"{label}-{pets}-{state}-{fps}-{turn}"
-            shown = show(work / "profiles" / name, config(pets, state, fps))
+            shown = show(options.work / "profiles" / name, config(pets, state, fps))
             try:
-                figures = measure(shown, STILL_AFTER if state == "rest" else 3, seconds)
+                figures = measure(shown, STILL_AFTER if state == "rest" else 3, options.seconds)
             finally:
                 shown.end()
             row = {"pets": pets, "state": state, "fps": fps, **figures}
             cores = " ".join(f"{k[:-5]} {v:.4f}" for k, v in row.items() if k.endswith("_core"))
             print(f"   {label}: {pets} {state} at {fps} Hz: {cores}", file=sys.stderr, flush=True)
-            scene = (pets, state, fps)
             best[scene] = min(best.get(scene, row), row, key=cores_for_all_frames)
-    return list(best.values())
+    write(options.work, label, list(best.values()))
 
 
 def measure_starts(show, work, label):
@@ -119,37 +125,29 @@ def read(work, name):
         return [{key: value(text) for key, text in row.items()} for row in csv.DictReader(file)]
 
 
-def measure_drawing(options):
-    """Each figure is the least of several runs: other tenants of the machine only add to it."""
+class Drawing:
+    """What drawing alone takes: each figure is the least of several runs."""
 
-    def natively(file):
-        subprocess.run([options.bench, "--csv", file, "compose"], check=True, stdout=subprocess.DEVNULL)
+    def __init__(self, options, label, run):
+        self._options, self._name, self._run, self._runs = options, f"{label}-drawing", run, []
 
-    with desktop.VirtualDesktop(compositor=False) as desk:
-
-        def under_wine(file):
-            if desk.start(options.bench_exe, "--csv", wine.windows_path(file), "compose").wait(300):
-                raise RuntimeError("hyrax-bench.exe does not measure what drawing takes")
-
-        for label, run in (("headless", natively), ("wine", under_wine)):
-            runs = []
-            for _ in range(options.repeat):
-                run(options.work / f"{label}-drawing.csv")
-                runs.append(read(options.work, f"{label}-drawing"))
-            least = [{key: min(row[key] for row in rows) for key in rows[0]} for rows in zip(*runs)]
-            write(options.work, f"{label}-drawing", least)
+    def measure(self):
+        self._run(self._options.work / f"{self._name}.csv")
+        self._runs.append(read(self._options.work, self._name))
+        least = [{key: min(row[key] for row in rows) for key in rows[0]} for rows in zip(*self._runs)]
+        write(self._options.work, self._name, least)
 
 
 def measure_native(options):
     def native(folder, settings):
         return Headless(options.headless, folder, settings)
 
+    def compose(file):
+        subprocess.run([options.bench, "--csv", file, "compose"], check=True, stdout=subprocess.DEVNULL)
+
     write(options.work, "headless-start", measure_starts(native, options.work, "headless"))
-    rows = measure_scenes(native, options.work, "headless", options.seconds, options.repeat, list(scenes()))
-    write(options.work, "headless", rows)
-    hurried = [(100, "hurried", DENSE)]
-    rows = measure_scenes(native, options.work, "headless", options.seconds, options.repeat, hurried)
-    write(options.work, "headless-dense", rows)
+    chosen = [*scenes(), (100, "hurried", DENSE)]
+    measure_scenes(native, options, "headless", chosen, Drawing(options, "headless", compose).measure)
 
 
 def measure_wine(options):
@@ -159,15 +157,18 @@ def measure_wine(options):
         def under_wine(folder, settings):
             return OnWine(desk, options.exe, options.post, folder, settings)
 
+        def compose(file):
+            if desk.start(options.bench_exe, "--csv", wine.windows_path(file), "compose").wait(300):
+                raise RuntimeError("hyrax-bench.exe does not measure what drawing takes")
+
         warm = under_wine(options.work / "profiles" / "warm", config(1, "rest", FAST))
         warm.tell()
         warm.end()
         write(options.work, "wine-start", measure_starts(under_wine, options.work, "wine"))
-        rows = measure_scenes(under_wine, options.work, "wine", options.seconds, options.repeat, list(scenes()))
-        write(options.work, "wine", rows)
+        measure_scenes(under_wine, options, "wine", list(scenes()), Drawing(options, "wine", compose).measure)
 
 
-PARTS = {"drawing": measure_drawing, "native": measure_native, "wine": measure_wine}
+PARTS = {"native": measure_native, "wine": measure_wine}
 
 
 def measure_all(options):
@@ -239,7 +240,7 @@ def goals(data):
         used = at_its_rate(one(native, 100, state), "process")
         yield (f"engine, planners and composition, 100 pets {WORDS[state]} at 60 Hz, native", "<= 0.02 core",
                f"{core(used)} core", used <= 0.02)  # fmt: skip
-    dense = data["headless-dense"][0]
+    dense = one(native, 100, "hurried", DENSE)
     work = FAST * dense["process_core"] / dense["frames"]
     yield (f"the same, flying, 60 of {DENSE} frames a second in which pets come as far", "<= 0.02 core",
            f"{core(work)} core", work <= 0.02)  # fmt: skip
@@ -276,7 +277,10 @@ def write_document(options):
         f"the machine's load was {machine['load']:.1f}",
         goals=table(["what", "goal", "measured", ""], rows),
         drawing=drawing_table(data),
-        headless=costs_table(data["headless"], [("process, core", "process")]),
+        erasing=core(FAST * data["headless-drawing"][0]["only_erased_cold_ms"] / 1000),
+        headless=costs_table(
+            [row for row in data["headless"] if row["fps"] != DENSE], [("process, core", "process")]
+        ),
         wine=costs_table(
             data["wine"], [("process, core", "process"), ("wineserver, core", "wineserver"), ("X, core", "X")]
         ),
@@ -289,8 +293,8 @@ def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     for program in ("exe", "post", "bench_exe", "headless", "bench"):
         options.add_argument(program, type=lambda text: pathlib.Path(text).resolve())
-    options.add_argument("--seconds", type=float, default=9, help="to measure each scene")
-    options.add_argument("--repeat", type=int, default=4, help="runs of each moving scene")
+    options.add_argument("--seconds", type=float, default=6, help="to measure each scene")
+    options.add_argument("--repeat", type=int, default=6, help="runs of each moving scene with a hundred pets")
     options.add_argument("--docs", type=pathlib.Path, default=ROOT / "docs")
     options.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "desktop_costs")
     options.add_argument("--measure", nargs="*", choices=PARTS, default=list(PARTS))
