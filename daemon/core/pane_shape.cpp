@@ -11,8 +11,8 @@ namespace {
 constexpr int grid = 64;
 /// Free pixels around the sprites [px]: a pane is not changed for the first steps of a walk.
 constexpr int margin = 32;
-/// Room that growth adds at least [px], for a second of a run apart.
-constexpr int reach = 384;
+/// Room that growth adds at least [px], for half a second of a run apart.
+constexpr int reach = 256;
 
 /// One axis of a rectangle [px].
 struct Span {

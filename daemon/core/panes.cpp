@@ -13,7 +13,7 @@ namespace hyrax {
 
 namespace {
 
-constexpr Ticks shrink_after = ticks_per_second;
+constexpr Ticks shrink_after = ticks_per_second / 2;
 /// Of a pane that has no window yet.
 constexpr std::size_t no_slot = std::numeric_limits<std::size_t>::max();
 

@@ -43,9 +43,10 @@ inline constexpr std::size_t most_panes = 8;
 
 /// Panes for all that is seen of the sprites, in the order of the monitors. A pane keeps its size,
 /// for which the system has built a surface, and slides after its sprites when they leave it.
-/// Where they no longer fit, it grows; when it was too large for a second, it shrinks. In either
-/// case it is divided instead if that is a quarter cheaper. Panes that meet, or that cost more than
-/// one around both, become one. Where a monitor changes, the panes that still lie in one stay.
+/// Where they no longer fit, it grows; when it was too large for half a second, it shrinks. In
+/// either case it is divided instead if that is a quarter cheaper. Panes that meet, or that cost
+/// more than one around both, become one. Where a monitor changes, the panes that still lie in one
+/// stay.
 std::vector<Pane> plan_panes(const PaneScene& scene, std::span<const Pane> before, Ticks now);
 
 /// Into the order in which windows are to show them, one after the other: a pet that comes into

@@ -220,7 +220,7 @@ TEST_CASE("what cannot be drawn is not divided") {
     CHECK(planned(pair, panes, now + ticks_per_second).size() == 2);
 }
 
-TEST_CASE("a pane shrinks a second after its room was needed, within what it shows") {
+TEST_CASE("a pane shrinks after its room was needed, within what it shows") {
     const std::vector<Rect> near{pet_at_place(300, 400)};
     const std::vector<Rect> row{pet_at_place(300, 400), pet_at_place(480, 400)};
     std::vector<Pane> panes = planned(near);
@@ -307,12 +307,14 @@ TEST_CASE("a pane does not shrink for what it will soon have to grow for again")
         CAPTURE(slowness);
         CHECK(std::ranges::is_sorted(sizes(3, [=](int i) { return 100 + i / slowness; })));
     }
-    // To and fro, twice in three seconds.
-    const std::vector<int> widths = sizes(20, [](int i) { return 60 + std::abs(i % 90 - 45) * 4; });
+    // To and fro, twice a second.
+    const std::vector<int> widths =
+        sizes(20, [](int i) { return 60 + std::abs(i % 30 - 15) * 12; });
     CHECK(std::ranges::count(widths, widths.back()) > 19 * 60);
 }
 
-TEST_CASE("at rest panes end at most a third dearer than a new plan") {
+// A quarter that shrinking must gain, and a quarter that dividing must: nothing changes for less.
+TEST_CASE("at rest panes end less than twice as dear as a new plan") {
     const auto cost_of = [](const std::vector<Pane>& panes) {
         return area_of(panes) + window_price * static_cast<long long>(panes.size());
     };
@@ -334,7 +336,7 @@ TEST_CASE("at rest panes end at most a third dearer than a new plan") {
         }
         rest(panes, sprites, now);
         check_sound(panes, sprites);
-        CHECK(cost_of(panes) * 3 <= cost_of(planned(sprites)) * 4);
+        CHECK(cost_of(panes) * 9 <= cost_of(planned(sprites)) * 16);
     }
 }
 
