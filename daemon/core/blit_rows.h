@@ -14,9 +14,10 @@ struct Rows {
     std::ptrdiff_t to_stride = 0;  ///< Pixels from one row to the next.
     const Pixel* from = nullptr;
     std::ptrdiff_t from_stride = 0;
-    int width = 0;
-    int count = 0;
+    int width = 0;  ///< Pixels in a row.
+    int count = 0;  ///< Rows that are left.
 
+    /// One row further down.
     void next() {
         to += to_stride;
         from += from_stride;
